@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs the CMake package: find_package(mrpt-fild) gives the fild:: targets.
+include(CMakePackageConfigHelpers)
+set(FILD_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/mrpt-fild)
+install(EXPORT mrpt-fild-targets NAMESPACE fild:: DESTINATION ${FILD_CMAKE_DIR})
+configure_package_config_file(
+  libs/cmake/mrpt-fild-config.cmake.in ${PROJECT_BINARY_DIR}/mrpt-fild-config.cmake
+  INSTALL_DESTINATION ${FILD_CMAKE_DIR})
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/mrpt-fild-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/mrpt-fild-config.cmake
+  ${PROJECT_BINARY_DIR}/mrpt-fild-config-version.cmake
+  libs/cmake/Findhnswlib.cmake
+  DESTINATION ${FILD_CMAKE_DIR})
+install(DIRECTORY config-ini DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild)

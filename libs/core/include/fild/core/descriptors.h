@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace fild
+{
+/** Appearance of a whole image, of unit L2 norm, so that the scalar product of two is the cosine
+ *  similarity of FILD (IROS 2019) Eq. (4). All descriptors of a run have the same length. */
+using GlobalDescriptor = std::vector<float>;
+
+/** Where a local feature sits. Pixels; the centre of the upper left pixel is (0, 0). */
+struct Keypoint
+{
+    float x = 0;
+    float y = 0;
+    float size = 0;  ///< diameter of the feature, pixels
+    float angle = 0;  ///< orientation, radians in [0, 2 pi), from the x axis towards the y axis
+    float response = 0;  ///< determinant of the Hessian
+    std::int8_t laplacian_sign = 0;  ///< +1 dark blob on light, -1 light on dark
+};
+
+/** Keypoints of an image and their descriptors, row i of `descriptors` (keypoints.size() x
+ * dimension, row-major, each of unit L2 norm) belonging to keypoints[i]. */
+struct LocalFeatures
+{
+    static constexpr std::size_t dimension = 128;
+
+    std::vector<Keypoint> keypoints;
+    std::vector<float> descriptors;
+
+    std::size_t size() const { return keypoints.size(); }
+    const float* descriptor(std::size_t i) const { return descriptors.data() + i * dimension; }
+};
+
+/** Position of a keypoint in its image, pixels: all that is kept of it once it is hashed. */
+struct PixelPosition
+{
+    float x = 0;
+    float y = 0;
+};
+
+/** Binary codes of one image's local descriptors, code i in words [i * words_per_code, ...).
+ *  Bits beyond `bits` in the last word are 0. `buckets` holds, for every code, one coarse bucket
+ *  number a hash table (empty when the coarse step is off). */
+struct BinaryCodes
+{
+    int bits = 0;
+    int words_per_code = 0;
+    int tables = 0;
+    std::vector<std::uint64_t> words;
+    std::vector<std::uint16_t> buckets;
+
+    std::size_t size() const { return words_per_code == 0 ? 0 : words.size() / words_per_code; }
+    const std::uint64_t* code(std::size_t i) const { return words.data() + i * words_per_code; }
+    const std::uint16_t* bucket(std::size_t i) const { return buckets.data() + i * tables; }
+};
+
+/** What the map keeps of a frame for the verification of later loops. */
+struct HashedFeatures
+{
+    std::vector<PixelPosition> positions;
+    BinaryCodes codes;
+};
+
+/** Two local features taken for the same point of the scene. */
+struct Match
+{
+    std::size_t query = 0;  ///< index into the query frame's features
+    std::size_t candidate = 0;  ///< index into the candidate frame's features
+    int distance_bits = 0;  ///< Hamming distance of their codes
+};
+
+}  // namespace fild

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/config/CConfigFileMemory.h>
+
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** Reads an .ini file into memory, refusing what MRPT's reader would let pass in silence: a missing
+ *  file, a line that is neither section, key, comment nor blank, a key outside any section, a
+ * section or key that stands twice, an empty value written as if it were one. Comments: a line that
+ * starts with `#`, `;` or `//`, and everything after ` //` or ` ;` in a line. \throw
+ * std::runtime_error with path, line number and reason. */
+mrpt::config::CConfigFileMemory load_ini_file(const std::string& path);
+
+/** Applies command-line overrides, each "section.key=value", as if they stood in the file.
+ *  \throw std::invalid_argument naming the first override that is not of that form. */
+void apply_overrides(mrpt::config::CConfigFileMemory& config,
+                     const std::vector<std::string>& overrides);
+
+/** \throw std::runtime_error naming the first section of `config` not in `known`, and the known. */
+void reject_unknown_sections(const mrpt::config::CConfigFileBase& config,
+                             const std::vector<std::string>& known);
+
+}  // namespace fild

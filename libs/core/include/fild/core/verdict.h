@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** Number of a camera frame in the order of the recording, from 0. */
+enum class FrameId : std::uint64_t
+{
+};
+
+constexpr std::uint64_t to_index(FrameId id)
+{
+    return static_cast<std::uint64_t>(id);
+}
+
+/** Why a frame is no accepted loop closure; the word in the `rejection` column of frames.csv is the
+ *  enumerator's name. The first four mean that the frame could not be used at all. */
+enum class Rejection
+{
+    none,  ///< accepted: a loop closure
+    missing_image,  ///< the externally stored image is not there, or is no image
+    image_size_changed,  ///< not the size of this camera's first image
+    repeated_timestamp,  ///< the same time stamp as the camera frame before
+    unsupported_image,  ///< neither 8 bit grey nor 8 bit colour
+    too_early,  ///< the index is still empty: nothing is older than the delay (psi)
+    no_candidate,  ///< the index had no answer
+    below_similarity,  ///< no candidate is similar enough
+    too_few_matches,  ///< fewer matches than a fundamental matrix needs, or than the inliers asked
+                      ///< for
+    no_model,  ///< RANSAC found no fundamental matrix
+    too_few_inliers,  ///< fewer than tau
+    degenerate_model,  ///< enough inliers, but bunched on too small a part of the image
+    not_consistent_yet  ///< verified, but not beta frames in a row
+};
+
+/** The word that stands in frames.csv; empty for Rejection::none. */
+std::string to_word(Rejection rejection);
+
+/** All rejections in order of declaration, `none` first: for counting and for documentation. */
+const std::vector<Rejection>& all_rejections();
+
+/** An earlier frame that looks like the query. */
+struct Candidate
+{
+    FrameId frame{};
+    double similarity = 0;  ///< cosine, Eq. (4), in [-1, 1]
+};
+
+/** The detector's answer for one camera frame: one row of frames.csv. */
+struct FrameVerdict
+{
+    FrameId frame{};
+    double timestamp = 0;  ///< seconds since the UNIX epoch
+    std::string sensor_label;
+    std::size_t keypoints = 0;
+    /** The verified candidate when one was verified, else the one that came furthest. */
+    std::optional<Candidate> candidate;
+    std::size_t matches = 0;  ///< after the ratio test, with `candidate`
+    std::size_t inliers = 0;  ///< of those, in agreement with the fundamental matrix
+    Rejection rejection = Rejection::none;
+
+    bool accepted() const { return rejection == Rejection::none; }
+};
+
+}  // namespace fild

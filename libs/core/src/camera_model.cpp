@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/core/camera_model.h"
+
+#include "fild/core/parse_number.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace fild
+{
+namespace
+{
+std::vector<double> parse_numbers(const std::string& text, const std::string& origin)
+{
+    std::vector<double> numbers;
+    std::istringstream words(text);
+    for (std::string word; words >> word;)
+    {
+        const auto number = parse_number<double>(word);
+        if (!number) throw std::runtime_error(origin + ": '" + word + "' is not a number");
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+}  // namespace
+
+CameraModel parse_camera_model(const std::string& text, const std::string& origin)
+{
+    const auto numbers = parse_numbers(text, origin);
+    const auto count = numbers.size();
+    if (count != 6 && count != 10 && count != 11)
+        throw std::runtime_error(origin +
+                                 ": expected 'fx fy cx cy width height [k1 k2 p1 p2 [k3]]', got " +
+                                 std::to_string(count) + " numbers");
+    CameraModel camera;
+    camera.fx = numbers[0];
+    camera.fy = numbers[1];
+    camera.cx = numbers[2];
+    camera.cy = numbers[3];
+    camera.width = static_cast<int>(numbers[4]);
+    camera.height = static_cast<int>(numbers[5]);
+    if (!(camera.fx > 0 && camera.fy > 0 && camera.width > 0 && camera.height > 0))
+        throw std::runtime_error(origin + ": focal lengths and image size must be positive");
+    if (count > 6) camera.lens = LensModel::plumb_bob;
+    std::copy(numbers.begin() + 6, numbers.end(), camera.distortion.begin());
+    return camera;
+}
+
+}  // namespace fild

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/core/ini_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+std::string trimmed(const std::string& text)
+{
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string::npos) return "";
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+bool starts_with(const std::string& text, const std::string& prefix)
+{
+    return text.compare(0, prefix.size(), prefix) == 0;
+}
+
+std::string without_comment(const std::string& line)
+{
+    const auto text = trimmed(line);
+    if (starts_with(text, "#") || starts_with(text, ";") || starts_with(text, "//")) return "";
+    const auto end = std::min({text.find(" //"), text.find("\t//"), text.find(" ;")});
+    return trimmed(text.substr(0, end));
+}
+
+/** Copies an .ini text line by line, refusing what does not belong there. */
+class StrictCopier
+{
+ public:
+    StrictCopier(const std::string& path, mrpt::config::CConfigFileMemory& target)
+        : path_(path), target_(target)
+    {
+    }
+
+    void copy(const std::string& raw_line)
+    {
+        ++line_number_;
+        const auto line = without_comment(raw_line);
+        if (line.empty()) return;
+        if (line.front() == '[')
+            open_section(line);
+        else
+            copy_key(line);
+    }
+
+ private:
+    void open_section(const std::string& line)
+    {
+        if (line.back() != ']') fail("'" + line + "' lacks its closing bracket");
+        section_ = trimmed(line.substr(1, line.size() - 2));
+        if (!seen_.insert("[" + section_).second) fail("section [" + section_ + "] stands twice");
+    }
+
+    void copy_key(const std::string& line)
+    {
+        const auto equals = line.find('=');
+        if (equals == std::string::npos)
+            fail("'" + line + "' is neither '[section]' nor 'key = value'");
+        if (section_.empty()) fail("'" + line + "' stands before the first [section]");
+        const auto key = trimmed(line.substr(0, equals));
+        if (key.empty()) fail("'" + line + "' has no key before the '='");
+        if (!seen_.insert(section_ + "." + key).second)
+            fail("key '" + key + "' stands twice in [" + section_ + "]");
+        target_.write(section_, key, trimmed(line.substr(equals + 1)));
+    }
+
+    [[noreturn]] void fail(const std::string& reason) const
+    {
+        throw std::runtime_error(path_ + ":" + std::to_string(line_number_) + ": " + reason);
+    }
+
+    std::string path_;
+    mrpt::config::CConfigFileMemory& target_;
+    int line_number_ = 0;
+    std::string section_;
+    std::set<std::string> seen_;
+};
+}  // namespace
+
+mrpt::config::CConfigFileMemory load_ini_file(const std::string& path)
+{
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error("cannot read the configuration file " + path);
+    mrpt::config::CConfigFileMemory config;
+    StrictCopier copier(path, config);
+    for (std::string line; std::getline(file, line);) copier.copy(line);
+    return config;
+}
+
+void apply_overrides(mrpt::config::CConfigFileMemory& config,
+                     const std::vector<std::string>& overrides)
+{
+    for (const auto& text : overrides)
+    {
+        const auto equals = text.find('=');
+        const auto dot = text.find('.');
+        if (equals == std::string::npos || dot == std::string::npos || dot == 0 ||
+            dot + 1 >= equals)
+            throw std::invalid_argument("'" + text + "' is not of the form section.key=value");
+        config.write(
+            text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1));
+    }
+}
+
+void reject_unknown_sections(const mrpt::config::CConfigFileBase& config,
+                             const std::vector<std::string>& known)
+{
+    std::vector<std::string> sections;
+    config.getAllSections(sections);
+    for (const auto& section : sections)
+    {
+        if (std::find(known.begin(), known.end(), section) != known.end()) continue;
+        std::string list;
+        for (const auto& name : known) list += " [" + name + "]";
+        throw std::runtime_error("unknown section [" + section + "]; known sections:" + list);
+    }
+}
+
+}  // namespace fild

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/core/ini_file.h"
+
+#include "message_of.h"
+#include "temporary_folder.h"
+
+namespace
+{
+using fild::testing::message_of;
+using ::testing::HasSubstr;
+
+class IniFile : public ::testing::Test
+{
+ protected:
+    mrpt::config::CConfigFileMemory load(const std::string& text) const
+    {
+        const auto path = folder_.path("test.ini");
+        fild::testing::write_text(path, text);
+        return fild::load_ini_file(path);
+    }
+    std::string error(const std::string& text) const
+    {
+        return message_of<std::runtime_error>([&] { load(text); });
+    }
+
+ private:
+    fild::testing::TemporaryFolder folder_;
+};
+
+TEST_F(IniFile, ReadsKeysAndSkipsComments)
+{
+    const auto config =
+        load("# head\n[a]\nx = 1 // one\n; note\n// note\ny= /p/q\tr ; end\r\n\n[b]\nz=\n");
+    EXPECT_EQ(config.read_string("a", "x", ""), "1");
+    EXPECT_EQ(config.read_string("a", "y", ""), "/p/q\tr");
+    EXPECT_EQ(config.read_string("b", "z", "?"), "");
+}
+
+TEST_F(IniFile, NamesPathAndLineOfWhatItRefuses)
+{
+    EXPECT_THAT(error("[a]\nx=1\nx=2\n"), HasSubstr("test.ini:3: key 'x' stands twice in [a]"));
+    EXPECT_THAT(error("[a]\n[b]\n[a]\n"), HasSubstr("section [a] stands twice"));
+    EXPECT_THAT(error("x=1\n"), HasSubstr("before the first [section]"));
+    EXPECT_THAT(error("[a]\nx\n"), HasSubstr("neither '[section]' nor 'key = value'"));
+    EXPECT_THAT(error("[a\n"), HasSubstr("closing bracket"));
+    EXPECT_THAT(error("[a]\n=3\n"), HasSubstr("no key"));
+}
+
+TEST_F(IniFile, RefusesAMissingFile)
+{
+    EXPECT_THAT(message_of<std::runtime_error>([] { fild::load_ini_file("no/such.ini"); }),
+                HasSubstr("no/such.ini"));
+}
+
+TEST_F(IniFile, OverridesReplaceAndAddKeys)
+{
+    auto config = load("[a]\nx=1\n");
+    fild::apply_overrides(config, {"a.x=2", "b.path=/d.e/f=g"});
+    EXPECT_EQ(config.read_string("a", "x", ""), "2");
+    EXPECT_EQ(config.read_string("b", "path", ""), "/d.e/f=g");
+}
+
+TEST_F(IniFile, RefusesMalformedOverrides)
+{
+    mrpt::config::CConfigFileMemory config;
+    for (const std::string text : {"x=1", "a.x", "a.=1", ".x=1", ""})
+        EXPECT_THAT(
+            message_of<std::invalid_argument>([&] { fild::apply_overrides(config, {text}); }),
+            HasSubstr("'" + text + "'"));
+}
+
+TEST_F(IniFile, NamesUnknownSections)
+{
+    const auto config = load("[a]\nx=1\n[c]\ny=1\n");
+    EXPECT_THAT(message_of<std::runtime_error>(
+                    [&] {
+                        fild::reject_unknown_sections(config, {"a", "b"});
+                    }),
+                HasSubstr("unknown section [c]; known sections: [a] [b]"));
+}
+
+}  // namespace
