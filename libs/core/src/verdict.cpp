@@ -29,8 +29,6 @@ std::string to_word(Rejection rejection)
             return "no_model";
         case Rejection::too_few_inliers:
             return "too_few_inliers";
-        case Rejection::degenerate_model:
-            return "degenerate_model";
         case Rejection::not_consistent_yet:
             return "not_consistent_yet";
     }
@@ -51,7 +49,6 @@ const std::vector<Rejection>& all_rejections()
         Rejection::too_few_matches,
         Rejection::no_model,
         Rejection::too_few_inliers,
-        Rejection::degenerate_model,
         Rejection::not_consistent_yet,
     };
     return all;

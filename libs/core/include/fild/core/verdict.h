@@ -35,7 +35,6 @@ enum class Rejection
                       ///< for
     no_model,  ///< RANSAC found no fundamental matrix
     too_few_inliers,  ///< fewer than tau
-    degenerate_model,  ///< enough inliers, but bunched on too small a part of the image
     not_consistent_yet  ///< verified, but not beta frames in a row
 };
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** How long each stage took, call by call, in milliseconds of wall time. Not thread-safe: one
+ * caller at a time. */
+class StageTimes
+{
+ public:
+    struct Statistics
+    {
+        std::size_t calls = 0;
+        double mean_ms = 0;
+        double median_ms = 0;
+        double p95_ms = 0;  ///< 95 % of the calls took no longer (nearest rank)
+        double max_ms = 0;
+        double total_ms = 0;
+    };
+
+    void add(const std::string& stage, double milliseconds);
+
+    /** By stage name, alphabetically. Costs a sort of all calls. */
+    std::map<std::string, Statistics> statistics() const;
+
+ private:
+    std::map<std::string, std::vector<float>> milliseconds_;
+};
+
+/** Times the scope it lives in as one call of a stage. */
+class StageTimer
+{
+ public:
+    StageTimer(StageTimes& times, const char* stage)
+        : times_(times), stage_(stage), start_(std::chrono::steady_clock::now())
+    {
+    }
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+    ~StageTimer()
+    {
+        const auto elapsed = std::chrono::steady_clock::now() - start_;
+        times_.add(stage_, std::chrono::duration<double, std::milli>(elapsed).count());
+    }
+
+ private:
+    StageTimes& times_;
+    const char* stage_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace fild

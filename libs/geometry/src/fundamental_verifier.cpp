@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Geometric verification of FILD (An et al., IROS 2019), section III-C.
+#include "fild/geometry/fundamental_verifier.h"
+
+#include <opencv2/calib3d.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+cv::UsacParams usac_parameters(const TVerificationOptions& options, int random_state)
+{
+    cv::UsacParams usac;
+    usac.confidence = options.confidence;
+    usac.isParallel = false;  // a parallel RANSAC would not repeat
+    usac.maxIterations = options.max_iterations;
+    usac.randomGeneratorState = random_state;
+    usac.threshold = options.max_epipolar_error_px;
+    usac.sampler = cv::SAMPLING_UNIFORM;
+    usac.score = cv::SCORE_METHOD_RANSAC;
+    usac.loMethod = cv::LOCAL_OPTIM_NULL;
+    switch (options.method)
+    {
+        case RansacMethod::ransac:
+            break;
+        case RansacMethod::lo_ransac:
+            usac.loMethod = cv::LOCAL_OPTIM_INNER_LO;
+            break;
+        case RansacMethod::graph_cut:
+            usac.loMethod = cv::LOCAL_OPTIM_GC;
+            usac.score = cv::SCORE_METHOD_MSAC;
+            break;
+        case RansacMethod::magsac:
+            usac.loMethod = cv::LOCAL_OPTIM_SIGMA;
+            usac.score = cv::SCORE_METHOD_MAGSAC;
+            break;
+    }
+    return usac;
+}
+
+std::vector<cv::Point2f> to_points(const std::vector<PixelPosition>& pixels)
+{
+    std::vector<cv::Point2f> points;
+    points.reserve(pixels.size());
+    for (const auto& pixel : pixels) points.emplace_back(pixel.x, pixel.y);
+    return points;
+}
+}  // namespace
+
+FundamentalVerifier::FundamentalVerifier(const TVerificationOptions& options, std::uint64_t seed)
+    : options_(options), random_state_(static_cast<int>(seed % 0x7FFFFFFFU))
+{
+    options_.check();
+}
+
+Verification FundamentalVerifier::verify(const std::vector<PixelPosition>& query,
+                                         const std::vector<PixelPosition>& candidate) const
+{
+    if (query.size() != candidate.size())
+        throw std::invalid_argument("FundamentalVerifier: unlike numbers of pixels");
+    Verification result;
+    const auto wanted = static_cast<std::size_t>(options_.min_inliers);
+    if (query.size() < wanted)
+    {
+        result.rejection = Rejection::too_few_matches;
+        return result;
+    }
+    std::vector<unsigned char> is_inlier;
+    const cv::Mat f = cv::findFundamentalMat(to_points(query),
+                                             to_points(candidate),
+                                             is_inlier,
+                                             usac_parameters(options_, random_state_));
+    if (f.rows != 3 || f.cols != 3)
+    {
+        result.rejection = Rejection::no_model;
+        return result;
+    }
+    result.candidate_from_query_f = cv::Matx33d(f);
+    for (std::size_t k = 0; k < is_inlier.size(); ++k)
+        if (is_inlier[k] != 0) result.inliers.push_back(k);
+    if (result.inliers.size() < wanted) result.rejection = Rejection::too_few_inliers;
+    return result;
+}
+
+}  // namespace fild

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/options.h"
+
+namespace fild
+{
+/** How descriptors are searched. */
+enum class IndexBackend
+{
+    hnsw,  ///< proximity graph, approximate, sub-linear (the paper's)
+    exact  ///< linear scan
+};
+
+/** Section [index]: which earlier frames may answer, and how they are searched. */
+struct TIndexOptions : Options
+{
+    /** psi: a frame can be a candidate only when it is at least this old. Seconds. */
+    double delay_seconds = 40;
+    /** phi, frames a second: when positive the delay is psi x phi frames, as the paper counts it,
+     *  whatever the time stamps say. 0: the delay is measured by time stamps. */
+    double frame_rate = 0;
+    /** n: how many nearest neighbours are verified. */
+    int candidates = 1;
+    /** Neighbours less similar than this are not verified; cosine. The paper has no such bound. */
+    double min_similarity = -1;
+    IndexBackend backend = IndexBackend::hnsw;
+    int links_per_node =
+        48;  ///< M of the HNSW graph, links of a node in each layer above the lowest
+    int construction_width = 40;  ///< ef while a node is inserted
+    int search_width = 40;  ///< ef while the graph is searched; at least `candidates`
+
+ protected:
+    void describe(OptionVisitor& visitor) override;
+    void check_between_fields() const override;
+};
+
+}  // namespace fild

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/descriptors.h"
+#include "fild/matching/hashing_options.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace fild
+{
+/** Turns local descriptors into binary codes by random projections, the locality sensitive hash
+ *  family of FILD (IROS 2019) Eq. (5): bit s of a descriptor x is 1 when p_s . (x - centre) > 0,
+ * with p_s of independent normal numbers.
+ *
+ *  The centre is the same for all images; the authors' published code subtracts each image's own
+ *  mean, after which codes of different images do not compare. Const members may run concurrently.
+ */
+class CodeHasher
+{
+ public:
+    /** \param centre  typical local descriptor, LocalFeatures::dimension numbers.
+     *  \param seed    of the projections: the same seed gives the same codes everywhere.
+     *  \throw std::invalid_argument on a centre of another length. */
+    CodeHasher(const THashingOptions& options,
+               const std::vector<float>& centre,
+               std::uint64_t seed);
+
+    /** Codes of all features, and their coarse buckets when options.search is cascade.
+     *  Costs features x dimension x bits multiplications, spread over `num_threads` threads. */
+    BinaryCodes hash(const LocalFeatures& features, int num_threads) const;
+
+ private:
+    std::vector<std::uint64_t> sign_bits(const float* descriptor) const;
+
+    int bits_;
+    int tables_;  ///< 0 without the coarse step
+    int bucket_bits_;
+    std::size_t projections_;  ///< bits_ + tables_ x bucket_bits_
+    std::vector<float> weights_;  ///< dimension x projections_, row-major
+    std::vector<float> thresholds_;  ///< the centre's projections
+};
+
+}  // namespace fild
