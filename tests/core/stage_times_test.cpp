@@ -21,6 +21,18 @@ TEST(StageTimes, GivesNearestRankStatistics)
     EXPECT_DOUBLE_EQ(statistics.at("other").median_ms, 7);
 }
 
+TEST(StageTimes, MergesTheCallsOfAnother)
+{
+    fild::StageTimes a;
+    fild::StageTimes b;
+    a.add("search", 1);
+    b.add("search", 3);
+    b.add("other", 5);
+    a.merge(b);
+    EXPECT_DOUBLE_EQ(a.statistics().at("search").mean_ms, 2);
+    EXPECT_EQ(a.statistics().at("other").calls, 1U);
+}
+
 TEST(StageTimes, IsEmptyWithoutCalls)
 {
     EXPECT_TRUE(fild::StageTimes().statistics().empty());

@@ -22,6 +22,15 @@ void StageTimes::add(const std::string& stage, double milliseconds)
     milliseconds_[stage].push_back(static_cast<float>(milliseconds));
 }
 
+void StageTimes::merge(const StageTimes& other)
+{
+    for (const auto& [stage, calls] : other.milliseconds_)
+    {
+        auto& ours = milliseconds_[stage];
+        ours.insert(ours.end(), calls.begin(), calls.end());
+    }
+}
+
 std::map<std::string, StageTimes::Statistics> StageTimes::statistics() const
 {
     std::map<std::string, Statistics> result;

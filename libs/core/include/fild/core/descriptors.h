@@ -42,6 +42,13 @@ struct PixelPosition
     float y = 0;
 };
 
+/** Two pixels taken for the same point of the scene. */
+struct PixelPair
+{
+    PixelPosition query;
+    PixelPosition candidate;
+};
+
 /** Binary codes of one image's local descriptors, code i in words [i * words_per_code, ...).
  *  Bits beyond `bits` in the last word are 0. `buckets` holds, for every code, one coarse bucket
  *  number a hash table (empty when the coarse step is off). */

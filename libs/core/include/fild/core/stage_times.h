@@ -25,6 +25,9 @@ class StageTimes
 
     void add(const std::string& stage, double milliseconds);
 
+    /** Adds all calls of `other`. */
+    void merge(const StageTimes& other);
+
     /** By stage name, alphabetically. Costs a sort of all calls. */
     std::map<std::string, Statistics> statistics() const;
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/stage_times.h"
+#include "fild/core/verdict.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fild
+{
+/** What summary.json says of a run. */
+struct RunSummary
+{
+    /** Section name and its keys with values, as in the .ini file. */
+    using OptionValues =
+        std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>>;
+
+    std::string rawlog;
+    /** Why the run ended before the rawlog did; empty for a complete run. */
+    std::string ended_early;
+    std::size_t camera_frames = 0;
+    std::size_t loop_closures = 0;
+    std::map<Rejection, std::size_t> frames_by_rejection;  ///< `none`: the loop closures
+    std::size_t clock_jumps = 0;  ///< time stamps smaller than the one before
+    std::vector<std::string> ignored_camera_labels;
+    double mean_keypoints = 0;
+    std::size_t match_pictures = 0;
+    OptionValues options;
+    std::vector<std::pair<std::string, std::string>> versions;
+    std::string model_file;
+    std::string model_sha256;
+    std::map<std::string, StageTimes::Statistics> stage_times;
+    double wall_seconds = 0;
+    std::size_t peak_memory_bytes = 0;
+    std::size_t map_bytes = 0;  ///< held for later frames at the end of the run
+
+    /** Counts a frame and its keypoints. */
+    void add(const FrameVerdict& verdict);
+};
+
+/** Writes the summary; the file appears when it is whole. \throw std::runtime_error as WholeFile.
+ */
+void write_summary(const RunSummary& summary, const std::string& path);
+
+/** SHA-256 of a file's bytes in hexadecimal. \throw std::runtime_error when it cannot be read. */
+std::string sha256_of_file(const std::string& path);
+
+/** Largest resident memory of this process so far, bytes. */
+std::size_t peak_memory_bytes();
+
+}  // namespace fild

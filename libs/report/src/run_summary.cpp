@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/report/run_summary.h"
+
+#include "fild/core/whole_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <openssl/evp.h>
+#include <stdexcept>
+#include <sys/resource.h>
+
+namespace fild
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+double rounded(double value)
+{
+    return std::round(value * 1000) / 1000;
+}
+
+Json frames_json(const RunSummary& summary)
+{
+    Json rejections = Json::object();
+    for (const auto rejection : all_rejections())
+    {
+        const auto count = summary.frames_by_rejection.find(rejection);
+        if (rejection != Rejection::none && count != summary.frames_by_rejection.end())
+            rejections[to_word(rejection)] = count->second;
+    }
+    return {{"camera_frames", summary.camera_frames},
+            {"loop_closures", summary.loop_closures},
+            {"rejections", rejections},
+            {"clock_jumps", summary.clock_jumps},
+            {"mean_keypoints", rounded(summary.mean_keypoints)},
+            {"match_pictures", summary.match_pictures},
+            {"ignored_camera_labels", summary.ignored_camera_labels}};
+}
+
+Json options_json(const RunSummary::OptionValues& options)
+{
+    Json sections = Json::object();
+    for (const auto& [section, values] : options)
+    {
+        Json keys = Json::object();
+        for (const auto& [key, value] : values) keys[key] = value;
+        sections[section] = keys;
+    }
+    return sections;
+}
+
+Json times_json(const std::map<std::string, StageTimes::Statistics>& stages)
+{
+    Json result = Json::object();
+    for (const auto& [stage, statistics] : stages)
+        result[stage] = {{"calls", statistics.calls},
+                         {"mean", rounded(statistics.mean_ms)},
+                         {"median", rounded(statistics.median_ms)},
+                         {"p95", rounded(statistics.p95_ms)},
+                         {"max", rounded(statistics.max_ms)},
+                         {"total", rounded(statistics.total_ms)}};
+    return result;
+}
+
+Json memory_json(const RunSummary& summary)
+{
+    const auto frames = std::max<std::size_t>(1, summary.camera_frames);
+    return {{"peak_bytes", summary.peak_memory_bytes},
+            {"map_bytes", summary.map_bytes},
+            {"map_bytes_per_frame", summary.map_bytes / frames}};
+}
+}  // namespace
+
+void RunSummary::add(const FrameVerdict& verdict)
+{
+    ++camera_frames;
+    ++frames_by_rejection[verdict.rejection];
+    if (verdict.accepted()) ++loop_closures;
+    const auto weight = 1.0 / static_cast<double>(camera_frames);
+    mean_keypoints += (static_cast<double>(verdict.keypoints) - mean_keypoints) * weight;
+}
+
+void write_summary(const RunSummary& summary, const std::string& path)
+{
+    Json versions = Json::object();
+    for (const auto& [name, version] : summary.versions) versions[name] = version;
+    const Json json = {
+        {"rawlog", summary.rawlog},
+        {"complete", summary.ended_early.empty()},
+        {"ended_early", summary.ended_early},
+        {"frames", frames_json(summary)},
+        {"options", options_json(summary.options)},
+        {"versions", versions},
+        {"model", {{"file", summary.model_file}, {"sha256", summary.model_sha256}}},
+        {"stage_times_ms", times_json(summary.stage_times)},
+        {"wall_seconds", rounded(summary.wall_seconds)},
+        {"memory", memory_json(summary)},
+    };
+    WholeFile file(path);
+    file.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    file.commit();
+}
+
+std::string sha256_of_file(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::runtime_error("cannot read " + path);
+    const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(),
+                                                                          &EVP_MD_CTX_free);
+    EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr);
+    std::array<char, 65536> block{};
+    while (file.read(block.data(), block.size()), file.gcount() > 0)
+        EVP_DigestUpdate(context.get(), block.data(), static_cast<std::size_t>(file.gcount()));
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int length = 0;
+    EVP_DigestFinal_ex(context.get(), digest.data(), &length);
+    std::string hexadecimal;
+    for (unsigned int i = 0; i < length; ++i)
+    {
+        constexpr const char* kDigits = "0123456789abcdef";
+        hexadecimal += kDigits[digest[i] >> 4U];
+        hexadecimal += kDigits[digest[i] & 15U];
+    }
+    return hexadecimal;
+}
+
+std::size_t peak_memory_bytes()
+{
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts kilobytes
+}
+
+}  // namespace fild

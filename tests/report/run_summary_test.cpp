@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/report/run_summary.h"
+
+#include "message_of.h"
+#include "temporary_folder.h"
+
+#include <nlohmann/json.hpp>
+
+namespace
+{
+nlohmann::json written(const fild::RunSummary& summary)
+{
+    const fild::testing::TemporaryFolder folder;
+    write_summary(summary, folder.path("summary.json"));
+    return nlohmann::json::parse(fild::testing::read_text(folder.path("summary.json")));
+}
+
+fild::FrameVerdict verdict_with(std::size_t keypoints, fild::Rejection rejection)
+{
+    fild::FrameVerdict verdict;
+    verdict.keypoints = keypoints;
+    verdict.rejection = rejection;
+    return verdict;
+}
+
+TEST(RunSummary, CountsFramesByVerdict)
+{
+    fild::RunSummary summary;
+    summary.add(verdict_with(100, fild::Rejection::none));
+    summary.add(verdict_with(300, fild::Rejection::too_few_inliers));
+    summary.add(verdict_with(200, fild::Rejection::too_few_inliers));
+    const auto json = written(summary);
+    EXPECT_EQ(json["frames"]["camera_frames"], 3);
+    EXPECT_EQ(json["frames"]["loop_closures"], 1);
+    EXPECT_EQ(json["frames"]["rejections"]["too_few_inliers"], 2);
+    EXPECT_EQ(json["frames"]["rejections"].size(), 1U);
+    EXPECT_DOUBLE_EQ(json["frames"]["mean_keypoints"], 200);
+}
+
+TEST(RunSummary, SaysWhenARunEndedEarly)
+{
+    fild::RunSummary summary;
+    EXPECT_TRUE(written(summary)["complete"].get<bool>());
+    summary.ended_early = "interrupted";
+    EXPECT_FALSE(written(summary)["complete"].get<bool>());
+    EXPECT_EQ(written(summary)["ended_early"], "interrupted");
+}
+
+TEST(RunSummary, ListsOptionsAndTimes)
+{
+    fild::RunSummary summary;
+    summary.options = {{"index", {{"backend", "hnsw"}}}};
+    fild::StageTimes times;
+    times.add("matching", 2.5);
+    summary.stage_times = times.statistics();
+    summary.camera_frames = 4;
+    summary.map_bytes = 4000;
+    const auto json = written(summary);
+    EXPECT_EQ(json["options"]["index"]["backend"], "hnsw");
+    EXPECT_DOUBLE_EQ(json["stage_times_ms"]["matching"]["median"], 2.5);
+    EXPECT_EQ(json["memory"]["map_bytes_per_frame"], 1000);
+}
+
+// The digest of "abc" in FIPS 180-4's example.
+TEST(Sha256OfFile, AgreesWithThePublishedExample)
+{
+    const fild::testing::TemporaryFolder folder;
+    fild::testing::write_text(folder.path("abc"), "abc");
+    EXPECT_EQ(fild::sha256_of_file(folder.path("abc")),
+              "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_THAT(
+        fild::testing::message_of<std::runtime_error>([] { fild::sha256_of_file("no/such/file"); }),
+        ::testing::HasSubstr("no/such/file"));
+}
+
+TEST(PeakMemory, IsMoreThanNothing)
+{
+    EXPECT_GT(fild::peak_memory_bytes(), 100000U);
+}
+
+}  // namespace
