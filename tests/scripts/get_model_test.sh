@@ -1,0 +1,141 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Tests what datasets-scripts/get-model.sh does without a network: npm is replaced by a script of ours.
+# Needs what get-model.sh needs, npm excepted.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+get_model=$here/../../datasets-scripts/get-model.sh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# fake_npm BODY: an npm that notes that it was called and runs BODY in the folder it is called in.
+fake_npm() {
+    printf '#!/bin/bash\ntouch "%s/npm-was-called"\n%s\n' "$work" "$1" >"$work/bin/npm"
+    chmod +x "$work/bin/npm"
+}
+
+# A fresh, empty output folder and a PATH that begins with the fake npm.
+set_up() {
+    rm -rf "${work:?}"/*
+    mkdir "$work/bin" "$work/out" "$work/tmp"
+    fake_npm 'exit 1'
+    model=$work/out/model.onnx
+}
+
+# run_script ARGUMENTS...: sets code and text (both streams).
+run_script() {
+    code=0
+    text=$(PATH=${only_path:-$work/bin:$PATH} TMPDIR=$work/tmp "$BASH" "$get_model" "$@" 2>&1) || code=$?
+}
+
+# expect WHAT COMMAND...: the command must succeed.
+expect() {
+    local what=$1
+    shift
+    if "$@"; then
+        echo "ok: $what"
+    else
+        echo "FAILED: $what; exit code $code, output: $text"
+        failures=$((failures + 1))
+    fi
+}
+
+says() { [[ $text == *"$1"* ]]; }
+exits_with() { [[ $code == "$1" ]]; }
+is_empty() { [[ -z $(ls -A "$1") ]]; }
+npm_was_called() { [[ -e $work/npm-was-called ]]; }
+npm_was_not_called() { ! npm_was_called; }
+
+test_a_wrong_package_is_refused() {
+    set_up
+    fake_npm 'echo "not the package" >mediapipe-objectron-0.tgz'
+    run_script --output "$model"
+    expect "a wrong package: exit code 1" exits_with 1
+    expect "a wrong package: says what it got" says "sha512 $(echo "not the package" | sha512sum | cut -d ' ' -f 1)"
+    expect "a wrong package: says what it expected" says "expected 2285ae5b"
+    expect "a wrong package: leaves nothing behind" is_empty "$work/out"
+    expect "a wrong package: leaves no temporary folder" is_empty "$work/tmp"
+}
+
+test_an_intact_file_is_kept() {
+    set_up
+    echo "a network" >"$model"
+    (cd "$work/out" && sha256sum model.onnx >model.onnx.sha256)
+    run_script --output "$model"
+    expect "an intact file: exit code 0" exits_with 0
+    expect "an intact file: says so" says "already there and intact"
+    expect "an intact file: npm is not called" npm_was_not_called
+}
+
+test_a_damaged_file_is_fetched_again_and_kept_until_then() {
+    set_up
+    echo "a network" >"$model"
+    (cd "$work/out" && sha256sum model.onnx >model.onnx.sha256)
+    echo "damaged" >"$model"
+    run_script --output "$model"
+    expect "a damaged file: npm is called" npm_was_called
+    expect "a damaged file: a failure is reported" exits_with 1
+    expect "a damaged file: it stays when npm fails" grep -q damaged "$model"
+}
+
+test_the_default_place_follows_xdg() {
+    set_up
+    mkdir "$work/out/mrpt-fild"
+    model=$work/out/mrpt-fild/mobilenet_v2_objectron.onnx
+    echo "a network" >"$model"
+    sha256sum <"$model" >"$model.sha256"
+    XDG_DATA_HOME=$work/out run_script
+    expect "the default place: below XDG_DATA_HOME" says "$model is already there"
+}
+
+test_missing_npm_is_named() {
+    set_up
+    rm "$work/bin/npm"
+    local tool
+    for tool in basename cat cut dirname sha256sum; do
+        ln -s "$(command -v "$tool")" "$work/bin/$tool"
+    done
+    only_path=$work/bin run_script --output "$model"
+    expect "no npm: exit code 1" exits_with 1
+    expect "no npm: says what to install" says "apt install npm"
+    expect "no npm: leaves nothing behind" is_empty "$work/out"
+}
+
+test_npm_without_a_network_is_explained() {
+    set_up
+    fake_npm 'echo "npm error code EAI_AGAIN" >&2; exit 1'
+    run_script --output "$model"
+    expect "no network: exit code 1" exits_with 1
+    expect "no network: asks for it" says "is there a network?"
+    expect "no network: quotes npm" says "EAI_AGAIN"
+    expect "no network: leaves nothing behind" is_empty "$work/out"
+}
+
+test_arguments() {
+    set_up
+    run_script --help
+    expect "--help: exit code 0" exits_with 0
+    expect "--help: names the licence" says "Apache-2.0"
+    run_script --outptu "$model"
+    expect "unknown argument: exit code 2" exits_with 2
+    expect "unknown argument: named" says "'--outptu'"
+    run_script --output
+    expect "--output without a name: exit code 2" exits_with 2
+    run_script --output "$work/out"
+    expect "--output of a folder: exit code 1" exits_with 1
+    expect "arguments: npm is not called" npm_was_not_called
+}
+
+test_a_wrong_package_is_refused
+test_an_intact_file_is_kept
+test_a_damaged_file_is_fetched_again_and_kept_until_then
+test_the_default_place_follows_xdg
+test_missing_npm_is_named
+test_npm_without_a_network_is_explained
+test_arguments
+if ((failures > 0)); then
+    echo "$failures checks failed"
+    exit 1
+fi
