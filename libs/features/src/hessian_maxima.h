@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/descriptors.h"
+#include "fild/features/local_feature_options.h"
+#include "integral_image.h"
+
+#include <vector>
+
+namespace fild
+{
+/** Keypoints of an image, strongest first (ties by y, x, size), at most options.max_keypoints of
+ *  them; without angles yet. The result does not depend on num_threads (0: all of the hardware). */
+std::vector<Keypoint> find_hessian_maxima(const IntegralImage& integral,
+                                          const TLocalFeatureOptions& options,
+                                          int num_threads);
+
+}  // namespace fild

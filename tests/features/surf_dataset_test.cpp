@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SURF-128 on real images with a known change of view (Oxford affine), see
+// ../shared/data/README.md. Thresholds leave a margin to the figures in the comments, measured here
+// with default options.
+#include "descriptor_matches.h"
+#include "fild/features/surf.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace
+{
+using fild::Keypoint;
+using fild::LocalFeatures;
+using fild::testing::match_by_ratio;
+
+const std::string kFolder = FILD_TEST_DATA_DIR "/affine/";
+
+struct View
+{
+    cv::Size size;
+    LocalFeatures features;
+};
+
+View read_view(const std::string& name)
+{
+    const cv::Mat image = cv::imread(kFolder + name);
+    return {image.size(), fild::SurfExtractor({}, 0).extract(image)};
+}
+
+/** Where a point of the first view is in the second. */
+struct Homography
+{
+    cv::Matx33d matrix;
+
+    cv::Point2d operator()(double x, double y) const
+    {
+        const cv::Vec3d mapped = matrix * cv::Vec3d(x, y, 1);
+        return {mapped[0] / mapped[2], mapped[1] / mapped[2]};
+    }
+    /** Local magnification at (x, y): square root of the change of area. */
+    double scale(double x, double y) const
+    {
+        const auto origin = (*this)(x, y);
+        const auto along_x = (*this)(x + 1, y) - origin;
+        const auto along_y = (*this)(x, y + 1) - origin;
+        return std::sqrt(std::abs(along_x.cross(along_y)));
+    }
+};
+
+Homography read_graf_homography()
+{
+    Homography homography;
+    cv::FileStorage(kFolder + "graf/H1to3p.xml", cv::FileStorage::READ)["H13"] >> homography.matrix;
+    return homography;
+}
+
+Homography read_churchill_homography(int view)
+{
+    Homography homography;
+    std::ifstream file(kFolder + "churchill/H_1_" + std::to_string(view));
+    for (double& value : homography.matrix.val) file >> value;
+    EXPECT_TRUE(file) << "churchill/H_1_" << view;
+    return homography;
+}
+
+bool is_inside(const cv::Point2d& point, const cv::Size& size)
+{
+    constexpr double kMargin = 15;
+    return point.x >= kMargin && point.y >= kMargin && point.x < size.width - kMargin &&
+           point.y < size.height - kMargin;
+}
+
+/** Found again: within 2.5 pixels and a factor 1.5 in scale. */
+bool is_found_again(const Keypoint& keypoint,
+                    const Homography& second_from_first,
+                    const View& second)
+{
+    const auto place = second_from_first(keypoint.x, keypoint.y);
+    const double size = keypoint.size * second_from_first.scale(keypoint.x, keypoint.y);
+    for (const auto& other : second.features.keypoints)
+    {
+        const double ratio = size / other.size;
+        if (ratio > 1.5 || ratio < 1 / 1.5) continue;
+        if (std::hypot(other.x - place.x, other.y - place.y) <= 2.5) return true;
+    }
+    return false;
+}
+
+/** Keypoints found again, of the smaller number in the part both views see (Mikolajczyk). */
+double repeatability(const View& first, const View& second, const Homography& second_from_first)
+{
+    const Homography first_from_second{second_from_first.matrix.inv()};
+    std::size_t seen_by_both = 0;
+    std::size_t found_again = 0;
+    for (const auto& keypoint : first.features.keypoints)
+    {
+        if (!is_inside(second_from_first(keypoint.x, keypoint.y), second.size)) continue;
+        ++seen_by_both;
+        if (is_found_again(keypoint, second_from_first, second)) ++found_again;
+    }
+    std::size_t seen_back = 0;
+    for (const auto& keypoint : second.features.keypoints)
+        if (is_inside(first_from_second(keypoint.x, keypoint.y), first.size)) ++seen_back;
+    return static_cast<double>(found_again) /
+           static_cast<double>(std::max<std::size_t>(1, std::min(seen_by_both, seen_back)));
+}
+
+struct Quality
+{
+    double repeatability = 0;
+    std::size_t matches = 0;  ///< ratio 0.7
+    double correct_share = 0;  ///< of the matches, to 4 pixels
+};
+
+Quality compare(const std::string& name,
+                const View& first,
+                const View& second,
+                const Homography& second_from_first)
+{
+    Quality quality;
+    quality.repeatability = repeatability(first, second, second_from_first);
+    const auto matches = match_by_ratio(first.features, second.features, 0.7);
+    quality.matches = matches.size();
+    quality.correct_share = static_cast<double>(count_correct(matches, second_from_first, 4.0)) /
+                            static_cast<double>(std::max<std::size_t>(1, matches.size()));
+    std::cout << name << ": " << first.features.size() << " and " << second.features.size()
+              << " keypoints, repeatability " << quality.repeatability << ", " << quality.matches
+              << " matches, right " << quality.correct_share << "\n";
+    return quality;
+}
+
+class SurfOnAffineImages : public ::testing::Test
+{
+ protected:
+    void SetUp() override
+    {
+        if (!std::filesystem::exists(kFolder)) GTEST_SKIP() << "missing " << kFolder;
+    }
+};
+
+TEST_F(SurfOnAffineImages, GraffitiSeenThirtyDegreesAside)
+{
+    const auto quality = compare(
+        "graf 1-3", read_view("graf/img1.png"), read_view("graf/img3.png"), read_graf_homography());
+    EXPECT_GT(quality.repeatability, 0.52);  // 0.576
+    EXPECT_GT(quality.matches, 180U);  // 269
+    EXPECT_GT(quality.correct_share, 0.55);  // 0.647
+}
+
+TEST_F(SurfOnAffineImages, ChurchillFromFiveViews)
+{
+    struct Expected
+    {
+        int view;
+        double repeatability;
+        double correct_share;
+    };
+    const auto first = read_view("churchill/img1.jpg");
+    // Measured: repeatability 0.550 0.406 0.359 0.786 0.278, right 0.885 0.738 0.759 0.968 0.400.
+    for (const auto& expected : {Expected{2, 0.48, 0.80},
+                                 Expected{3, 0.33, 0.62},
+                                 Expected{4, 0.29, 0.62},
+                                 Expected{5, 0.70, 0.92},
+                                 Expected{6, 0.20, 0.20}})
+    {
+        const auto view = std::to_string(expected.view);
+        const auto quality = compare("churchill 1-" + view,
+                                     first,
+                                     read_view("churchill/img" + view + ".jpg"),
+                                     read_churchill_homography(expected.view));
+        EXPECT_GT(quality.repeatability, expected.repeatability) << view;
+        EXPECT_GT(quality.correct_share, expected.correct_share) << view;
+    }
+}
+
+TEST_F(SurfOnAffineImages, LeuvenInOtherLight)
+{
+    const auto bright = read_view("leuven/leuvenA.jpg");
+    const auto dark = read_view("leuven/leuvenB.jpg");
+    const auto matches = match_by_ratio(bright.features, dark.features, 0.7);
+    std::vector<cv::Point2f> from;
+    std::vector<cv::Point2f> to;
+    for (const auto& match : matches)
+    {
+        from.emplace_back(match.query->x, match.query->y);
+        to.emplace_back(match.candidate->x, match.candidate->y);
+    }
+    ASSERT_GE(from.size(), 8U);
+    cv::Mat agrees;
+    cv::findFundamentalMat(from, to, cv::FM_RANSAC, 3, 0.999, agrees);
+    const int inliers = cv::countNonZero(agrees);
+    std::cout << "leuven A-B: " << matches.size() << " matches, " << inliers << " agree\n";
+    EXPECT_GT(inliers, 90);  // 124 of 182
+    EXPECT_GT(inliers, 0.5 * static_cast<double>(matches.size()));
+}
+
+std::vector<double> mean_descriptor(const std::vector<std::string>& names)
+{
+    std::vector<double> sum(LocalFeatures::dimension, 0.0);
+    std::size_t count = 0;
+    for (const auto& name : names)
+    {
+        const auto features = read_view(name).features;
+        for (std::size_t i = 0; i < features.descriptors.size(); ++i)
+            sum[i % LocalFeatures::dimension] += features.descriptors[i];
+        count += features.size();
+    }
+    for (double& value : sum) value /= static_cast<double>(std::max<std::size_t>(1, count));
+    return sum;
+}
+
+/** Means over one kind of subregion (2 outer sides: corner, 1: edge, 0: inner). */
+struct KindMean
+{
+    double dx = 0;
+    double abs_dx = 0;
+    double dy = 0;
+    double abs_dy = 0;
+};
+
+template <class Numbers>
+KindMean mean_of_kind(const Numbers& descriptor, int outer_sides)
+{
+    KindMean mean;
+    int count = 0;
+    for (std::size_t s = 0; s < 16; ++s)
+    {
+        const int sides = (s / 4 == 0 || s / 4 == 3 ? 1 : 0) + (s % 4 == 0 || s % 4 == 3 ? 1 : 0);
+        if (sides != outer_sides) continue;
+        for (const std::size_t half : {0U, 2U})
+        {
+            const std::size_t first = s * 8 + half;
+            mean.dx += descriptor[first];
+            mean.abs_dx += descriptor[first + 1];
+            mean.dy += descriptor[first + 4];
+            mean.abs_dy += descriptor[first + 5];
+            ++count;
+        }
+    }
+    return {mean.dx / count, mean.abs_dx / count, mean.dy / count, mean.abs_dy / count};
+}
+
+class SurfDescriptorCentre : public SurfOnAffineImages
+{
+};
+
+TEST_F(SurfDescriptorCentre, IsTheMeanOfRealDescriptors)
+{
+    std::vector<std::string> names{
+        "graf/img1.png", "graf/img3.png", "leuven/leuvenA.jpg", "leuven/leuvenB.jpg"};
+    for (int i = 1; i <= 6; ++i) names.push_back("churchill/img" + std::to_string(i) + ".jpg");
+    const auto measured = mean_descriptor(names);
+    const auto centre = fild::surf_descriptor_centre();
+    for (int sides = 0; sides <= 2; ++sides)
+    {
+        const auto mean = mean_of_kind(measured, sides);
+        const auto expected = mean_of_kind(centre, sides);
+        std::cout << sides << " outer sides: dx " << mean.dx << " |dx| " << mean.abs_dx << " dy "
+                  << mean.dy << " |dy| " << mean.abs_dy << "\n";
+        EXPECT_NEAR(mean.dx, expected.dx, 1e-3);
+        EXPECT_NEAR(mean.abs_dx, expected.abs_dx, 1e-3);
+        EXPECT_NEAR(mean.dy, expected.dy, 2e-3);
+        EXPECT_NEAR(mean.abs_dy, expected.abs_dy, 1e-3);
+    }
+    // Single components may differ more: dx is larger where dy points away from the x axis.
+    for (std::size_t i = 0; i < centre.size(); ++i) EXPECT_NEAR(centre[i], measured[i], 0.03) << i;
+}
+
+}  // namespace
