@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/frame.h"
+#include "fild/rawlog/input_options.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mrpt::obs
+{
+class CObservation;
+}
+
+namespace fild
+{
+/** Turns the observations of one camera into frames, numbered from 0 in the order of the calls.
+ *
+ *  Camera observations are CObservationImage, CObservationStereoImages (its left image) and
+ *  CObservation3DRangeScan with an intensity image. For each observation of a rawlog, in order:
+ *  accepts(), and when it is accepted one of build() and skip(). A second pass over the rawlog with
+ *  a fresh builder gives the same ids, so that chosen frames can be had again at little cost:
+ *  \code
+ *  while (auto observation = reader.next())
+ *      if (builder.accepts(*observation)) {
+ *          if (wanted.count(builder.next_id())) draw(builder.build(*observation));
+ *          else builder.skip(*observation);
+ *      }
+ *  \endcode
+ *  Deterministic. Not thread-safe: one caller at a time. */
+class FrameBuilder
+{
+ public:
+    /** \param rawlog_path  where external images are looked for, see TInputOptions::images_dir.
+     *  \throw std::invalid_argument on bad options. */
+    FrameBuilder(const TInputOptions& options, const std::string& rawlog_path);
+    FrameBuilder(const FrameBuilder&) = delete;
+    FrameBuilder& operator=(const FrameBuilder&) = delete;
+    ~FrameBuilder();
+
+    /** True for an observation of the wanted camera. Notes the label of every observation. */
+    bool accepts(const mrpt::obs::CObservation& observation);
+
+    /** The frame of an accepted observation. One that cannot be used has Frame::defect:
+     *  missing_image, unsupported_image, image_size_changed (against the first image built) or
+     *  repeated_timestamp (of the accepted observation before; its image is not read).
+     *  An embedded image that needs no undistortion is shared with the observation, not copied.
+     *  \throw std::invalid_argument when the observation has no camera image.
+     *  \throw std::runtime_error when the image is missing and on_missing_image is `stop`, or when
+     *         the calibration is for another image size. */
+    Frame build(const mrpt::obs::CObservation& observation);
+
+    /** Counts an accepted observation as a frame without reading its image. */
+    void skip(const mrpt::obs::CObservation& observation);
+
+    /** Id of the next frame; as a number, how many there were. */
+    FrameId next_id() const;
+
+    /** Labels of cameras that were seen and not wanted, sorted: for a warning. */
+    std::vector<std::string> ignored_camera_labels() const;
+
+    /** All labels seen, for an error message: "camera labels there: A, B; others: C". */
+    std::string describe_labels() const;
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fild

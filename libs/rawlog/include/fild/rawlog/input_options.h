@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/options.h"
+
+#include <string>
+
+namespace fild
+{
+/** What to do when a frame's externally stored image is absent or unreadable. */
+enum class OnMissingImage
+{
+    skip,  ///< the frame stays in the count, as Rejection::missing_image
+    stop  ///< an error
+};
+
+/** Section `[input]`: which frames of a rawlog are taken, and how. */
+struct TInputOptions : Options
+{
+    /** Regular expression (ECMAScript) that must match the whole label of the camera. Empty: the
+     *  label of the first camera observation in the rawlog, and only that one. */
+    std::string sensor_label;
+    /** Folder of the externally stored images. Empty: the first of `NAME_Images`, `NAME_images`,
+     *  `NAME_IMAGES` and `Images` that exists beside the rawlog `NAME.rawlog`, as MRPT does. */
+    std::string images_dir;
+    OnMissingImage on_missing_image = OnMissingImage::skip;
+    /** Undo lens distortion where the camera is calibrated and has any. */
+    bool undistort = true;
+    /** `fx fy cx cy width height [k1 k2 p1 p2 [k3]]` in pixels, instead of the calibration the
+     *  observations carry. Empty: the observations'. */
+    std::string camera_parameters;
+
+ protected:
+    void describe(OptionVisitor& visitor) override;
+    void check_between_fields() const override;
+};
+
+}  // namespace fild

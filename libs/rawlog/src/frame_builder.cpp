@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/rawlog/frame_builder.h"
+
+#include "camera_labels.h"
+#include "fild/rawlog/camera_conversion.h"
+#include "image_store.h"
+#include "undistorter.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationImage.h>
+#include <mrpt/obs/CObservationStereoImages.h>
+
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+using mrpt::obs::CObservation;
+
+/** The image of an observation and the camera that took it. */
+struct CameraView
+{
+    const mrpt::img::CImage& image;
+    const mrpt::img::TCamera& camera;
+};
+
+std::optional<CameraView> camera_view_of(const CObservation& observation)
+{
+    using namespace mrpt::obs;
+    if (const auto* mono = dynamic_cast<const CObservationImage*>(&observation))
+        return CameraView{mono->image, mono->cameraParams};
+    if (const auto* stereo = dynamic_cast<const CObservationStereoImages*>(&observation))
+        return CameraView{stereo->imageLeft, stereo->leftCamera};
+    const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation);
+    if (scan != nullptr && scan->hasIntensityImage)
+        return CameraView{scan->intensityImage, scan->cameraParamsIntensity};
+    return std::nullopt;
+}
+
+std::optional<CameraModel> parse_override(const std::string& words)
+{
+    if (words.empty()) return std::nullopt;
+    return parse_camera_model(words, "camera_parameters");
+}
+
+std::string to_text(cv::Size size)
+{
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+const TInputOptions& checked(const TInputOptions& options)
+{
+    options.check();
+    return options;
+}
+}  // namespace
+
+struct FrameBuilder::State
+{
+    State(const TInputOptions& checked_options, const std::string& rawlog_path)
+        : options(checked_options),
+          labels(options.sensor_label),
+          store(options.images_dir, rawlog_path),
+          override_camera(parse_override(options.camera_parameters))
+    {
+    }
+
+    /** Counts the frame; its stamp is remembered for the next one. */
+    Frame begin(const CObservation& observation);
+    void load_image(const CameraView& view, Frame& frame);
+    [[noreturn]] void stop_at_missing(const CameraView& view, const Frame& frame) const;
+    void calibrate(const CameraView& view, Frame& frame);
+
+    TInputOptions options;
+    CameraLabels labels;
+    ImageStore store;
+    Undistorter undistorter;
+    std::optional<CameraModel> override_camera;
+    std::optional<cv::Size> image_size;
+    std::optional<double> previous_stamp;
+    std::uint64_t count = 0;
+};
+
+Frame FrameBuilder::State::begin(const CObservation& observation)
+{
+    Frame frame;
+    frame.id = FrameId{count++};
+    frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
+    frame.sensor_label = observation.sensorLabel;
+    if (frame.timestamp == previous_stamp) frame.defect = Rejection::repeated_timestamp;
+    previous_stamp = frame.timestamp;
+    return frame;
+}
+
+void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
+{
+    const auto stored = store.load(view.image);
+    if (!stored && options.on_missing_image == OnMissingImage::stop) stop_at_missing(view, frame);
+    if (!stored)
+    {
+        frame.defect = Rejection::missing_image;
+        return;
+    }
+    const auto image = as_grey_or_bgr(*stored);
+    if (!image)
+        frame.defect = Rejection::unsupported_image;
+    else if (image_size && image->size() != *image_size)
+        frame.defect = Rejection::image_size_changed;
+    else
+        frame.image = *image;
+}
+
+void FrameBuilder::State::stop_at_missing(const CameraView& view, const Frame& frame) const
+{
+    const auto path = store.path_of(view.image);
+    const auto what = path.empty() ? "the image embedded in the rawlog is empty"
+                                   : "there is no readable image " + path;
+    throw std::runtime_error("frame " + std::to_string(to_index(frame.id)) + ": " + what +
+                             "; set [input] images_dir to the folder of the images, or "
+                             "on_missing_image=skip to go on without");
+}
+
+void FrameBuilder::State::calibrate(const CameraView& view, Frame& frame)
+{
+    frame.camera = override_camera ? override_camera : camera_model_from(view.camera);
+    if (!frame.camera) return;
+    const cv::Size calibrated(frame.camera->width, frame.camera->height);
+    if (calibrated != frame.image.size())
+        throw std::runtime_error("the calibration of camera '" + frame.sensor_label + "' is for " +
+                                 to_text(calibrated) + " pixels, its images have " +
+                                 to_text(frame.image.size()) +
+                                 "; set [input] camera_parameters for that size");
+    if (!options.undistort) return;
+    if (has_distortion(*frame.camera))
+        frame.image = undistorter.undistort(frame.image, *frame.camera);
+    frame.camera->lens = LensModel::none;
+    frame.camera->distortion.fill(0);
+}
+
+FrameBuilder::FrameBuilder(const TInputOptions& options, const std::string& rawlog_path)
+    : state_(std::make_unique<State>(checked(options), rawlog_path))
+{
+}
+
+FrameBuilder::~FrameBuilder() = default;
+
+bool FrameBuilder::accepts(const CObservation& observation)
+{
+    if (camera_view_of(observation)) return state_->labels.accepts_camera(observation.sensorLabel);
+    state_->labels.note_other(observation.sensorLabel);
+    return false;
+}
+
+Frame FrameBuilder::build(const CObservation& observation)
+{
+    const auto view = camera_view_of(observation);
+    if (!view)
+        throw std::invalid_argument("FrameBuilder::build: observation '" + observation.sensorLabel +
+                                    "' has no camera image");
+    auto frame = state_->begin(observation);
+    if (frame.defect == Rejection::none) state_->load_image(*view, frame);
+    if (frame.defect != Rejection::none) return frame;
+    state_->calibrate(*view, frame);
+    state_->image_size = frame.image.size();
+    return frame;
+}
+
+void FrameBuilder::skip(const CObservation& observation)
+{
+    state_->begin(observation);
+}
+
+FrameId FrameBuilder::next_id() const
+{
+    return FrameId{state_->count};
+}
+
+std::vector<std::string> FrameBuilder::ignored_camera_labels() const
+{
+    return state_->labels.ignored();
+}
+
+std::string FrameBuilder::describe_labels() const
+{
+    return state_->labels.describe();
+}
+
+}  // namespace fild

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include <optional>
+#include <string>
+
+namespace mrpt::img
+{
+class CImage;
+}
+
+namespace fild
+{
+/** Gets at the pixels of an observation's image, wherever they are. Does not touch MRPT's
+ *  process-wide folder of images (CImage::setImagesPathBase). Const members may run concurrently.
+ */
+class ImageStore
+{
+ public:
+    /** \param images_dir  folder of external images; empty: the one MRPT would use for the rawlog,
+     *  which need not exist as long as no image is looked for. */
+    ImageStore(const std::string& images_dir, const std::string& rawlog_path);
+
+    /** Path of an externally stored image; empty for an embedded one. */
+    std::string path_of(const mrpt::img::CImage& image) const;
+
+    /** The pixels as stored, shared with `image` when embedded. Nothing when there are none. */
+    std::optional<cv::Mat> load(const mrpt::img::CImage& image) const;
+
+ private:
+    std::string images_dir_;
+};
+
+/** 8-bit grey as it is, 8-bit colour without alpha; nothing for all other kinds of pixels. */
+std::optional<cv::Mat> as_grey_or_bgr(const cv::Mat& image);
+
+}  // namespace fild

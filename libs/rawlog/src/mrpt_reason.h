@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace fild
+{
+/** What an exception that came through MRPT's serialization says, in one line: without the banner,
+ *  source location and call stack that MRPT puts around it, around our own exceptions too. */
+std::string mrpt_reason(const std::exception& error);
+
+}  // namespace fild

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/rawlog/rawlog_reader.h"
+
+#include "gz_archive.h"
+#include "mrpt_reason.h"
+
+#include <mrpt/maps/registerAllClasses.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/obs/CRawlog.h>
+#include <mrpt/obs/CSensoryFrame.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+using mrpt::serialization::CSerializable;
+
+std::string first_bytes(const std::string& path)
+{
+    std::string bytes(512, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+}
+
+/** What a file that is no rawlog seems to be, from its first bytes. */
+std::string guess_kind(const std::string& bytes)
+{
+    const std::array<std::pair<const char*, const char*>, 9> kinds{
+        {{"\x89PNG", "a PNG image"},
+         {"\xFF\xD8\xFF", "a JPEG image"},
+         {"PK\x03\x04", "a zip archive"},
+         {"#ROSBAG", "a ROS bag"},
+         {"SQLite format 3", "an SQLite file (a ROS 2 bag?)"},
+         {"\x1F\x8B", "a gzip file of something else"},
+         {"BZh", "a bzip2 file"},
+         {"\x28\xB5\x2F\xFD", "a zstd file"},
+         {"\xFD"
+          "7zXZ",
+          "an xz file"}}};
+    for (const auto& [start, kind] : kinds)
+        if (bytes.rfind(start, 0) == 0) return kind;
+    const bool is_text = std::all_of(bytes.begin(),
+                                     bytes.end(),
+                                     [](char c)
+                                     {
+                                         const auto byte = static_cast<unsigned char>(c);
+                                         return byte >= 32 || (byte >= 9 && byte <= 13);
+                                     });
+    return is_text ? "a text file" : "";
+}
+
+bool belongs_in_rawlog(const CSerializable* object)
+{
+    return dynamic_cast<const mrpt::obs::CObservation*>(object) != nullptr ||
+           dynamic_cast<const mrpt::obs::CSensoryFrame*>(object) != nullptr ||
+           dynamic_cast<const mrpt::obs::CActionCollection*>(object) != nullptr ||
+           dynamic_cast<const mrpt::obs::CRawlog*>(object) != nullptr;
+}
+
+/** The class name an MRPT object begins with: one byte of 128 + its length, then the name (before
+ *  2006: four bytes of length). Empty when `head` does not begin so. */
+std::string class_name_in(const std::string& head)
+{
+    if (head.size() < 5) return "";
+    const auto first = static_cast<unsigned char>(head[0]);
+    const bool is_old_format = first < 0x80U && head.compare(1, 3, std::string(3, '\0')) == 0;
+    if (first < 0x80U && !is_old_format) return "";
+    const auto name = head.substr(is_old_format ? 4 : 1, first & 0x7FU);
+    const auto belongs_in_name = [](unsigned char c)
+    { return std::isalnum(c) != 0 || c == '_' || c == ':' || c == '<' || c == '>'; };
+    return std::all_of(name.begin(), name.end(), belongs_in_name) ? name : "";
+}
+
+/** The unpacked first bytes of a plain or gzipped file; fewer when it ends before. */
+std::string first_unpacked_bytes(const std::string& path)
+{
+    const GzHandle file(gzopen(path.c_str(), "rb"));
+    std::string bytes(129, '\0');
+    const int count =
+        file ? gzread(file.get(), bytes.data(), static_cast<unsigned>(bytes.size())) : 0;
+    bytes.resize(static_cast<std::size_t>(std::max(0, count)));
+    return bytes;
+}
+
+/** Nothing when the file begins like a rawlog; else what it is instead, to be said to the user. A
+ *  class not known here passes: the reader will name it. */
+std::optional<std::string> kind_if_no_rawlog(const std::string& path)
+{
+    const auto unpacked = first_unpacked_bytes(path);
+    if (unpacked.empty()) return std::nullopt;  // damaged gzip data: so will the reader say
+    const auto name = class_name_in(unpacked);
+    if (name.empty())
+    {
+        const auto kind = guess_kind(first_bytes(path));
+        return kind.empty() ? "" : " but " + kind;
+    }
+    const auto* known = mrpt::rtti::findRegisteredClass(name);
+    if (known == nullptr) return std::nullopt;
+    const auto object = std::dynamic_pointer_cast<CSerializable>(known->createObject());
+    if (belongs_in_rawlog(object.get())) return std::nullopt;
+    return " but a file with a " + name;
+}
+}  // namespace
+
+struct RawlogReader::State
+{
+    State(std::string file, std::uint64_t bytes) : path(std::move(file)), size(bytes), archive(path)
+    {
+    }
+
+    bool read_entry();
+    void unpack(const CSerializable::Ptr& object);
+    [[noreturn]] void fail(const std::string& reason);
+
+    std::string path;
+    std::uint64_t size;
+    GzReader archive;
+    std::deque<mrpt::obs::CObservation::Ptr> pending;
+    std::size_t entries = 0;
+    std::optional<TruncatedRawlog> failure;
+};
+
+/** Reads one entry of the file into `pending`; false at the clean end. */
+bool RawlogReader::State::read_entry()
+{
+    if (failure) throw TruncatedRawlog(*failure);
+    CSerializable::Ptr object;
+    try
+    {
+        if (archive.at_end()) return false;
+        object = archive.ReadObject();
+    }
+    // MRPT asserts with logic_error, and a damaged length may be more than there is memory.
+    catch (const std::exception& error)
+    {
+        fail(archive.failure().empty() ? mrpt_reason(error) : archive.failure());
+    }
+    unpack(object);
+    ++entries;
+    return true;
+}
+
+void RawlogReader::State::unpack(const CSerializable::Ptr& object)
+{
+    if (auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object))
+        pending.push_back(std::move(observation));
+    else if (const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object))
+        pending.insert(pending.end(), frame->begin(), frame->end());
+    else if (const auto rawlog = std::dynamic_pointer_cast<mrpt::obs::CRawlog>(object))
+        for (std::size_t i = 0; i < rawlog->size(); ++i) unpack(rawlog->getAsGeneric(i));
+}
+
+void RawlogReader::State::fail(const std::string& reason)
+{
+    const auto position = archive.stored_bytes_read();
+    failure.emplace("rawlog " + path + " is cut off or damaged after " + std::to_string(entries) +
+                        " entries, near byte " + std::to_string(position) + " of " +
+                        std::to_string(size) + ": " + reason +
+                        "; copy or record it again, or go on with what was read",
+                    entries,
+                    position);
+    throw TruncatedRawlog(*failure);
+}
+
+RawlogReader::RawlogReader(const std::string& path)
+{
+    mrpt::maps::registerAllClasses_mrpt_maps();  // CObservationPointCloud and others live there
+    namespace fs = std::filesystem;
+    if (!fs::exists(path)) throw std::runtime_error("no such rawlog: " + path + "; check the path");
+    if (!fs::is_regular_file(path))
+        throw std::runtime_error(path + " is no file; name a .rawlog file");
+    const auto size = fs::file_size(path);
+    const std::string hint = "; name a .rawlog file written by MRPT";
+    if (size == 0) throw std::runtime_error("rawlog " + path + " is empty (0 bytes)" + hint);
+    const auto kind = kind_if_no_rawlog(path);
+    if (kind) throw std::runtime_error(path + " is no rawlog" + *kind + hint);
+    state_ = std::make_unique<State>(path, size);
+}
+
+RawlogReader::~RawlogReader() = default;
+
+mrpt::obs::CObservation::Ptr RawlogReader::next()
+{
+    while (state_->pending.empty())
+        if (!state_->read_entry()) return nullptr;
+    auto observation = std::move(state_->pending.front());
+    state_->pending.pop_front();
+    return observation;
+}
+
+double RawlogReader::fraction_read() const
+{
+    const auto share = static_cast<double>(state_->archive.stored_bytes_read()) /
+                       static_cast<double>(state_->size);
+    return std::min(1.0, share);
+}
+
+}  // namespace fild

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/camera_model.h"
+
+#include <opencv2/core/mat.hpp>
+
+namespace fild
+{
+/** True when the camera has a lens model with a coefficient that is not zero. */
+bool has_distortion(const CameraModel& camera);
+
+/** Straightens images; keeps the lookup maps of the last camera. The straightened image has the
+ *  size, focal lengths and principal point of the camera; pixels from outside are black.
+ *  Not thread-safe: one caller at a time. */
+class Undistorter
+{
+ public:
+    /** \param camera  of `image`, the same size, with a lens model. Deterministic. */
+    cv::Mat undistort(const cv::Mat& image, const CameraModel& camera);
+
+ private:
+    void make_maps(const CameraModel& camera);
+
+    CameraModel maps_camera_;
+    cv::Mat map_xy_;
+    cv::Mat map_fraction_;
+};
+
+}  // namespace fild

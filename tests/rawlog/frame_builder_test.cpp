@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/rawlog/frame_builder.h"
+
+#include "drawn_rawlog.h"
+#include "message_of.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationStereoImages.h>
+#include <opencv2/imgcodecs.hpp>
+
+namespace
+{
+using namespace fild::testing;
+using fild::FrameBuilder;
+using fild::Rejection;
+using fild::TInputOptions;
+using fild::to_index;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+FrameBuilder default_builder()
+{
+    return FrameBuilder(TInputOptions(), "/nowhere/run.rawlog");
+}
+
+Rejection defect_of(FrameBuilder& builder, const mrpt::obs::CObservation::Ptr& observation)
+{
+    EXPECT_TRUE(builder.accepts(*observation));
+    const auto frame = builder.build(*observation);
+    EXPECT_EQ(frame.image.empty(), frame.defect != Rejection::none);
+    return frame.defect;
+}
+
+bool same_pixels(const cv::Mat& a, const cv::Mat& b)
+{
+    return a.type() == b.type() && a.size() == b.size() && cv::norm(a, b, cv::NORM_INF) == 0;
+}
+
+mrpt::obs::CObservation3DRangeScan::Ptr range_scan(bool with_image)
+{
+    auto scan = mrpt::obs::CObservation3DRangeScan::Create();
+    scan->sensorLabel = "KINECT";
+    scan->timestamp = mrpt::Clock::fromDouble(5);
+    scan->hasIntensityImage = with_image;
+    if (with_image)
+        scan->intensityImage = mrpt::img::CImage(draw_image(CV_8UC3), mrpt::img::DEEP_COPY);
+    scan->cameraParamsIntensity.setIntrinsicParamsFromValues(50, 51, 32, 24);
+    scan->cameraParamsIntensity.ncols = 64;
+    scan->cameraParamsIntensity.nrows = 48;
+    return scan;
+}
+
+TEST(FrameBuilder, BuildsGreyAndColourFramesInOrder)
+{
+    auto builder = default_builder();
+    const auto grey = image_observation(draw_image(CV_8UC1), 1.5, "EYE");
+    const auto colour = image_observation(draw_image(CV_8UC3), 2.5, "EYE");
+    ASSERT_TRUE(builder.accepts(*grey));
+    const auto first = builder.build(*grey);
+    EXPECT_EQ(to_index(first.id), 0U);
+    EXPECT_DOUBLE_EQ(first.timestamp, 1.5);
+    EXPECT_EQ(first.sensor_label, "EYE");
+    EXPECT_EQ(first.defect, Rejection::none);
+    EXPECT_FALSE(first.camera);
+    EXPECT_TRUE(same_pixels(first.image, draw_image(CV_8UC1)));
+    EXPECT_EQ(first.image.data, grey->image.asCvMatRef().data) << "shared, not copied";
+    const auto second = builder.build(*colour);
+    EXPECT_EQ(to_index(second.id), 1U);
+    EXPECT_TRUE(same_pixels(second.image, draw_image(CV_8UC3))) << "BGR stays BGR";
+}
+
+TEST(FrameBuilder, TakesTheLeftImageOfAStereoPair)
+{
+    auto stereo = mrpt::obs::CObservationStereoImages::Create();
+    stereo->sensorLabel = "STEREO";
+    stereo->timestamp = mrpt::Clock::fromDouble(1);
+    stereo->imageLeft = mrpt::img::CImage(draw_image(CV_8UC1, 1), mrpt::img::DEEP_COPY);
+    stereo->imageRight = mrpt::img::CImage(draw_image(CV_8UC1, 30), mrpt::img::DEEP_COPY);
+    stereo->hasImageRight = true;
+    auto builder = default_builder();
+    ASSERT_TRUE(builder.accepts(*stereo));
+    EXPECT_TRUE(same_pixels(builder.build(*stereo).image, draw_image(CV_8UC1, 1)));
+}
+
+TEST(FrameBuilder, TakesTheIntensityImageOfARangeScanIfThereIsOne)
+{
+    auto builder = default_builder();
+    EXPECT_FALSE(builder.accepts(*range_scan(false)));
+    ASSERT_TRUE(builder.accepts(*range_scan(true)));
+    const auto frame = builder.build(*range_scan(true));
+    EXPECT_TRUE(same_pixels(frame.image, draw_image(CV_8UC3)));
+    ASSERT_TRUE(frame.camera);
+    EXPECT_DOUBLE_EQ(frame.camera->fy, 51);
+    EXPECT_THROW(builder.build(*range_scan(false)), std::invalid_argument);
+}
+
+TEST(FrameBuilder, StaysWithTheFirstCameraWhenNoLabelIsGiven)
+{
+    auto builder = default_builder();
+    EXPECT_FALSE(builder.accepts(mrpt::obs::CObservationOdometry()));
+    EXPECT_TRUE(builder.accepts(*image_observation(draw_image(), 0, "B")));
+    EXPECT_FALSE(builder.accepts(*image_observation(draw_image(), 0, "A")));
+    EXPECT_TRUE(builder.accepts(*image_observation(draw_image(), 1, "B")));
+    EXPECT_THAT(builder.ignored_camera_labels(), ElementsAre("A"));
+}
+
+TEST(FrameBuilder, MatchesTheWholeLabelWithARegularExpression)
+{
+    TInputOptions options;
+    options.sensor_label = "CAM[12]";
+    FrameBuilder builder(options, "run.rawlog");
+    auto odometry = mrpt::obs::CObservationOdometry::Create();
+    odometry->sensorLabel = "WHEELS";
+    EXPECT_FALSE(builder.accepts(*odometry));
+    EXPECT_FALSE(builder.accepts(*image_observation(draw_image(), 0, "CAM10")));
+    EXPECT_TRUE(builder.accepts(*image_observation(draw_image(), 0, "CAM1")));
+    EXPECT_TRUE(builder.accepts(*image_observation(draw_image(), 0, "CAM2")));
+    EXPECT_FALSE(builder.accepts(*image_observation(draw_image(), 0, "")));
+    EXPECT_EQ(builder.describe_labels(),
+              "camera labels there: '' (no label), CAM1, CAM10, CAM2; others: WHEELS");
+    EXPECT_THAT(builder.ignored_camera_labels(), ElementsAre("", "CAM10"));
+}
+
+TEST(FrameBuilder, SaysThatThereIsNoCamera)
+{
+    EXPECT_EQ(default_builder().describe_labels(), "camera labels there: none; others: none");
+}
+
+TEST(FrameBuilder, RefusesABadRegularExpression)
+{
+    TInputOptions options;
+    options.sensor_label = "[";
+    const auto message =
+        message_of<std::invalid_argument>([&] { FrameBuilder builder(options, "run.rawlog"); });
+    EXPECT_THAT(message, HasSubstr("sensor_label='['"));
+}
+
+TEST(FrameBuilder, MarksFramesThatCannotBeUsedAndKeepsTheirIds)
+{
+    auto builder = default_builder();
+    const auto at = [](const cv::Mat& image, double seconds)
+    { return image_observation(image, seconds); };
+    EXPECT_EQ(defect_of(builder, at(draw_image(CV_16UC1), 1)), Rejection::unsupported_image);
+    EXPECT_EQ(defect_of(builder, at(draw_image(), 2)), Rejection::none);
+    EXPECT_EQ(defect_of(builder, at(draw_image(), 2)), Rejection::repeated_timestamp);
+    EXPECT_EQ(defect_of(builder, at(draw_image(CV_8UC1, 0, {32, 24}), 3)),
+              Rejection::image_size_changed);
+    EXPECT_EQ(defect_of(builder, at(draw_image(CV_32FC1), 4)), Rejection::unsupported_image);
+    EXPECT_EQ(defect_of(builder, at(cv::Mat(), 5)), Rejection::missing_image);
+    EXPECT_EQ(defect_of(builder, at(draw_image(), 1)), Rejection::none) << "back in time";
+    EXPECT_EQ(to_index(builder.next_id()), 7U);
+}
+
+TEST(FrameBuilder, DropsAlpha)
+{
+    auto builder = default_builder();
+    const auto frame = builder.build(*image_observation(draw_image(CV_8UC4), 0));
+    EXPECT_TRUE(same_pixels(frame.image, draw_image(CV_8UC3)));
+}
+
+TEST(FrameBuilder, SkippingCountsAsBuildingDoes)
+{
+    auto builder = default_builder();
+    builder.skip(*external_observation("none.png", 1));
+    builder.skip(*image_observation(draw_image(), 2));
+    EXPECT_EQ(to_index(builder.next_id()), 2U);
+    EXPECT_EQ(builder.build(*image_observation(draw_image(), 2)).defect,
+              Rejection::repeated_timestamp);
+    EXPECT_EQ(to_index(builder.build(*image_observation(draw_image(), 3)).id), 3U);
+}
+
+/** A folder with `run.rawlog`'s images in the sub-folder `dir`. */
+void write_image(const TemporaryFolder& folder, const std::string& dir, const std::string& name)
+{
+    std::filesystem::create_directories(folder.path(dir));
+    cv::imwrite(folder.path(dir + "/" + name), draw_image(CV_8UC3, 5));
+}
+
+TEST(FrameBuilder, FindsExternalImagesBesideTheRawlog)
+{
+    for (const std::string dir : {"run_Images", "run_images", "run_IMAGES", "Images"})
+    {
+        const TemporaryFolder folder;
+        write_image(folder, dir, "a b.png");
+        FrameBuilder builder(TInputOptions(), folder.path("run.rawlog"));
+        const auto frame = builder.build(*external_observation("a b.png", 0));
+        EXPECT_TRUE(same_pixels(frame.image, draw_image(CV_8UC3, 5))) << dir;
+    }
+}
+
+TEST(FrameBuilder, FindsExternalImagesInANamedFolderAndByAbsolutePath)
+{
+    const TemporaryFolder folder;
+    write_image(folder, "elsewhere", "a.png");
+    TInputOptions options;
+    options.images_dir = folder.path("elsewhere");
+    FrameBuilder named(options, "/nowhere/run.rawlog");
+    EXPECT_EQ(defect_of(named, external_observation("a.png", 0)), Rejection::none);
+    auto unnamed = default_builder();
+    EXPECT_EQ(defect_of(unnamed, external_observation(folder.path("elsewhere/a.png"), 0)),
+              Rejection::none);
+}
+
+TEST(FrameBuilder, SkipsMissingAndBrokenImages)
+{
+    const TemporaryFolder folder;
+    write_image(folder, "run_Images", "good.jpg");
+    const auto whole = read_text(folder.path("run_Images/good.jpg"));
+    write_text(folder.path("run_Images/broken.jpg"), whole.substr(0, whole.size() / 2));
+    FrameBuilder builder(TInputOptions(), folder.path("run.rawlog"));
+    EXPECT_EQ(defect_of(builder, external_observation("none.jpg", 0)), Rejection::missing_image);
+    EXPECT_EQ(defect_of(builder, external_observation("broken.jpg", 1)), Rejection::missing_image);
+    EXPECT_EQ(defect_of(builder, external_observation("good.jpg", 2)), Rejection::none);
+}
+
+TEST(FrameBuilder, StopsAtAMissingImageWhereToldSo)
+{
+    const TemporaryFolder folder;
+    TInputOptions options;
+    options.on_missing_image = fild::OnMissingImage::stop;
+    FrameBuilder builder(options, folder.path("run.rawlog"));
+    const auto message = message_of<std::runtime_error>(
+        [&] { builder.build(*external_observation("none.jpg", 0)); });
+    EXPECT_THAT(message,
+                AllOf(HasSubstr(folder.path("run_Images/none.jpg")),
+                      HasSubstr("images_dir"),
+                      HasSubstr("on_missing_image=skip")));
+    EXPECT_THROW(builder.build(mrpt::obs::CObservationImage()), std::runtime_error);
+}
+
+}  // namespace

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/rawlog/image_file.h"
+
+#include "drawn_rawlog.h"
+#include "message_of.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+namespace
+{
+using namespace fild::testing;
+using fild::read_image_file;
+
+TEST(ReadImageFile, KeepsDepthAndChannels)
+{
+    const TemporaryFolder folder;
+    for (const int type : {CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1})
+    {
+        const auto image = draw_image(type);
+        cv::imwrite(folder.path("a.png"), image);
+        const auto read = read_image_file(folder.path("a.png"));
+        ASSERT_TRUE(read) << type;
+        ASSERT_EQ(read->type(), type);
+        EXPECT_EQ(cv::norm(*read, image, cv::NORM_INF), 0);
+    }
+}
+
+TEST(ReadImageFile, GivesNothingForWhatIsNoImage)
+{
+    const TemporaryFolder folder;
+    write_text(folder.path("empty.png"), "");
+    write_text(folder.path("text.png"), "not an image");
+    EXPECT_FALSE(read_image_file(folder.path("none.png")));
+    EXPECT_FALSE(read_image_file(folder.path("empty.png")));
+    EXPECT_FALSE(read_image_file(folder.path("text.png")));
+    EXPECT_FALSE(read_image_file(folder.path()));
+}
+
+TEST(ReadImageFile, GivesNothingForAFileCutOffAnywhere)
+{
+    const TemporaryFolder folder;
+    for (const std::string name : {"a.jpg", "a.png", "a.ppm", "a.bmp"})
+    {
+        cv::Mat noise(48, 64, CV_8UC3);
+        cv::randu(noise, 0, 255);
+        cv::imwrite(folder.path(name), noise);
+        const auto whole = read_text(folder.path(name));
+        EXPECT_TRUE(read_image_file(folder.path(name))) << name;
+        for (std::size_t length = 1; length + 20 < whole.size(); length += whole.size() / 50)
+        {
+            write_text(folder.path("cut-" + name), whole.substr(0, length));
+            EXPECT_FALSE(read_image_file(folder.path("cut-" + name))) << name << " " << length;
+        }
+    }
+}
+
+TEST(ReadImageFile, TakesAJpegWithBytesBehindItsEnd)
+{
+    const TemporaryFolder folder;
+    cv::imwrite(folder.path("a.jpg"), draw_image());
+    write_text(folder.path("padded.jpg"),
+               read_text(folder.path("a.jpg")) + std::string(1000, '\0'));
+    EXPECT_TRUE(read_image_file(folder.path("padded.jpg")));
+}
+
+TEST(ReadImageFile, GivesNothingForAHeaderThatAsksForTooMuch)
+{
+    const TemporaryFolder folder;
+    write_text(folder.path("huge.pgm"), "P5\n900000 900000\n255\nabc");
+    EXPECT_FALSE(read_image_file(folder.path("huge.pgm")));
+}
+
+}  // namespace

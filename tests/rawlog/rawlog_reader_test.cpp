@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/rawlog/rawlog_reader.h"
+
+#include "drawn_rawlog.h"
+#include "message_of.h"
+
+#include <mrpt/math/TPose3D.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CRawlog.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3D.h>
+
+namespace
+{
+using namespace fild::testing;
+using fild::RawlogReader;
+using fild::TruncatedRawlog;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::vector<std::string> labels_in(const std::string& path)
+{
+    RawlogReader reader(path);
+    std::vector<std::string> labels;
+    while (const auto observation = reader.next()) labels.push_back(observation->sensorLabel);
+    EXPECT_EQ(reader.next(), nullptr) << "the end stays the end";
+    EXPECT_DOUBLE_EQ(reader.fraction_read(), 1.0);
+    return labels;
+}
+
+std::string open_error(const std::string& path)
+{
+    return message_of<std::runtime_error>([&] { RawlogReader reader(path); });
+}
+
+Objects three_observations()
+{
+    auto odometry = mrpt::obs::CObservationOdometry::Create();
+    odometry->sensorLabel = "WHEELS";
+    return {image_observation(draw_image(), 1, "LEFT"),
+            odometry,
+            image_observation(draw_image(CV_8UC3), 2, "RIGHT")};
+}
+
+Objects action_and_frames()
+{
+    auto first = mrpt::obs::CSensoryFrame::Create();
+    first->insert(image_observation(draw_image(), 1, "A"));
+    first->insert(image_observation(draw_image(), 1, "B"));
+    auto second = mrpt::obs::CSensoryFrame::Create();
+    second->insert(image_observation(draw_image(), 2, "C"));
+    const auto empty = mrpt::obs::CSensoryFrame::Create();
+    return {mrpt::obs::CActionCollection::Create(),
+            first,
+            empty,
+            mrpt::obs::CActionCollection::Create(),
+            second};
+}
+
+TEST(RawlogReader, GivesObservationsInOrderPlainAndGzipped)
+{
+    const TemporaryFolder folder;
+    write_plain(folder.path("plain.rawlog"), three_observations());
+    write_gz(folder.path("gz.rawlog"), three_observations());
+    EXPECT_THAT(labels_in(folder.path("plain.rawlog")), ElementsAre("LEFT", "WHEELS", "RIGHT"));
+    EXPECT_THAT(labels_in(folder.path("gz.rawlog")), ElementsAre("LEFT", "WHEELS", "RIGHT"));
+}
+
+TEST(RawlogReader, UnpacksSensoryFramesAndPassesOverActions)
+{
+    const TemporaryFolder folder;
+    write_gz(folder.path("frames.rawlog"), action_and_frames());
+    EXPECT_THAT(labels_in(folder.path("frames.rawlog")), ElementsAre("A", "B", "C"));
+}
+
+TEST(RawlogReader, ReadsOneSerializedRawlogObject)
+{
+    auto rawlog = mrpt::obs::CRawlog::Create();
+    rawlog->setCommentText("a comment");
+    mrpt::obs::CSensoryFrame frame;
+    frame.insert(image_observation(draw_image(), 1, "A"));
+    rawlog->insert(frame);
+    const TemporaryFolder folder;
+    write_gz(folder.path("object.rawlog"), {rawlog});
+    EXPECT_THAT(labels_in(folder.path("object.rawlog")), ElementsAre("A"));
+}
+
+TEST(RawlogReader, TellsHowFarItIs)
+{
+    Objects many;
+    cv::Mat noise(480, 640, CV_8UC1);
+    cv::randu(noise, 0, 255);
+    for (int i = 0; i < 10; ++i) many.push_back(image_observation(noise, i));
+    const TemporaryFolder folder;
+    write_gz(folder.path("many.rawlog"), many);
+    RawlogReader reader(folder.path("many.rawlog"));
+    double previous = reader.fraction_read();
+    EXPECT_LT(previous, 0.3);
+    while (reader.next())
+    {
+        EXPECT_GE(reader.fraction_read(), previous);
+        previous = reader.fraction_read();
+    }
+}
+
+TEST(RawlogReader, NamesAMissingFileAFolderAndAnEmptyFile)
+{
+    const TemporaryFolder folder;
+    EXPECT_THAT(open_error(folder.path("none.rawlog")),
+                AllOf(HasSubstr("no such rawlog"), HasSubstr("none.rawlog")));
+    EXPECT_THAT(open_error(folder.path()), HasSubstr("is no file"));
+    write_text(folder.path("empty.rawlog"), "");
+    EXPECT_THAT(open_error(folder.path("empty.rawlog")), HasSubstr("empty (0 bytes)"));
+}
+
+TEST(RawlogReader, SaysWhatAFileIsThatIsNoRawlog)
+{
+    const TemporaryFolder folder;
+    const auto error_of = [&](const std::string& content)
+    {
+        write_text(folder.path("x.rawlog"), content);
+        return open_error(folder.path("x.rawlog"));
+    };
+    EXPECT_THAT(error_of("hello, this is text\n"), HasSubstr("no rawlog but a text file"));
+    EXPECT_THAT(error_of("x"), HasSubstr("no rawlog but a text file"));
+    EXPECT_THAT(error_of("\x89PNG\r\n\x1a\n"), HasSubstr("a PNG image"));
+    EXPECT_THAT(error_of("\xFF\xD8\xFF\xE0 JFIF"), HasSubstr("a JPEG image"));
+    EXPECT_THAT(error_of("#ROSBAG V2.0\n"), HasSubstr("a ROS bag"));
+    EXPECT_THAT(error_of(std::string(300, '\0')), HasSubstr("is no rawlog"));
+    EXPECT_THAT(error_of(std::string(300, '\xFF')), HasSubstr("is no rawlog"));
+}
+
+TEST(RawlogReader, RefusesAFileWithAnotherObjectOfMrpt)
+{
+    const TemporaryFolder folder;
+    write_gz(folder.path("pose.rawlog"), {mrpt::poses::CPose3D::Create()});
+    EXPECT_THAT(open_error(folder.path("pose.rawlog")), HasSubstr("CPose3D"));
+}
+
+TEST(RawlogReader, NamesAClassItDoesNotKnow)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path("foreign.rawlog");
+    write_plain(path, three_observations());
+    write_text(path, read_text(path) + "\x8C" + "CAlienObject" + std::string(20, '\0'));
+    RawlogReader reader(path);
+    for (int i = 0; i < 3; ++i) EXPECT_NE(reader.next(), nullptr);
+    const auto message = message_of<TruncatedRawlog>([&] { reader.next(); });
+    EXPECT_THAT(message, AllOf(HasSubstr("CAlienObject"), HasSubstr("after 3 entries")));
+    EXPECT_THAT(message, ::testing::Not(HasSubstr("\n")));
+}
+
+/** How many observations a file gives before its clean end, or before TruncatedRawlog. */
+struct Reading
+{
+    std::size_t observations = 0;
+    bool truncated = false;
+};
+
+Reading read_all(const std::string& path)
+{
+    Reading reading;
+    try
+    {
+        RawlogReader reader(path);
+        while (reader.next()) ++reading.observations;
+    }
+    catch (const TruncatedRawlog& error)
+    {
+        EXPECT_EQ(error.entries_read, reading.observations);
+        EXPECT_THAT(error.what(), HasSubstr(path));
+        EXPECT_THAT(error.what(), ::testing::Not(HasSubstr("\n")));
+        EXPECT_THAT(error.what(),
+                    ::testing::AnyOf(HasSubstr("the file ends inside an entry"),
+                                     HasSubstr("the compressed data is cut off")));
+        reading.truncated = true;
+    }
+    return reading;
+}
+
+TEST(RawlogReader, GivesTheGoodPartOfAPlainRawlogCutOffAnywhere)
+{
+    const TemporaryFolder folder;
+    std::vector<std::size_t> ends{0};
+    Objects objects;
+    for (const auto& object : three_observations())
+    {
+        objects.push_back(object);
+        write_plain(folder.path("whole.rawlog"), objects);
+        ends.push_back(read_text(folder.path("whole.rawlog")).size());
+    }
+    const auto whole = read_text(folder.path("whole.rawlog"));
+    for (std::size_t length = 40; length < whole.size(); length += 7)
+    {
+        write_text(folder.path("cut.rawlog"), whole.substr(0, length));
+        const auto reading = read_all(folder.path("cut.rawlog"));
+        const auto complete = std::upper_bound(ends.begin(), ends.end(), length) - ends.begin() - 1;
+        EXPECT_EQ(reading.observations, static_cast<std::size_t>(complete)) << length;
+        EXPECT_TRUE(reading.truncated || length == ends[reading.observations]) << length;
+    }
+    for (std::size_t i = 1; i < ends.size(); ++i)
+    {
+        write_text(folder.path("cut.rawlog"), whole.substr(0, ends[i]));
+        const auto reading = read_all(folder.path("cut.rawlog"));
+        EXPECT_EQ(reading.observations, i);
+        EXPECT_FALSE(reading.truncated) << "cut between two entries: a clean end";
+    }
+}
+
+TEST(RawlogReader, NeverTakesACutOffGzipFileForAWholeOne)
+{
+    const TemporaryFolder folder;
+    write_gz(folder.path("whole.rawlog"), three_observations());
+    const auto whole = read_text(folder.path("whole.rawlog"));
+    for (std::size_t length = 200; length < whole.size(); length += 3)
+    {
+        write_text(folder.path("cut.rawlog"), whole.substr(0, length));
+        EXPECT_TRUE(read_all(folder.path("cut.rawlog")).truncated) << length;
+    }
+}
+
+TEST(RawlogReader, ReportsACutOffRawlogOfEvenAFewBytes)
+{
+    const TemporaryFolder folder;
+    write_gz(folder.path("gz.rawlog"), three_observations());
+    write_plain(folder.path("plain.rawlog"), three_observations());
+    for (const auto* name : {"gz.rawlog", "plain.rawlog"})
+        for (std::size_t length = 1; length < 60; ++length)
+        {
+            write_text(folder.path("cut.rawlog"), read_text(folder.path(name)).substr(0, length));
+            EXPECT_THROW(RawlogReader(folder.path("cut.rawlog")).next(), std::runtime_error);
+        }
+}
+
+TEST(RawlogReader, NoticesDamagedCompressedDataAndSaysItAgain)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path("damaged.rawlog");
+    write_gz(path, three_observations());
+    auto bytes = read_text(path);
+    bytes[bytes.size() - 6] = static_cast<char>(~bytes[bytes.size() - 6]);  // of the checksum
+    write_text(path, bytes);
+    RawlogReader reader(path);
+    EXPECT_THROW(while (reader.next()) continue, TruncatedRawlog);
+    EXPECT_THROW(reader.next(), TruncatedRawlog);
+}
+
+}  // namespace
