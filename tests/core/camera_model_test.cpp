@@ -35,7 +35,8 @@ TEST(ParseCameraModel, NamesTheOriginOfBadText)
     EXPECT_THAT(error("1 2 3 4 5 6 7"), HasSubstr("got 7 numbers"));
     EXPECT_THAT(error("1 2 3 4 5 six"), HasSubstr("'six' is not a number"));
     EXPECT_THAT(error("0 2 3 4 5 6"), HasSubstr("must be positive"));
-    EXPECT_THAT(error("1 2 3 4 5 0"), HasSubstr("must be positive"));
+    for (const std::string size : {"5 0", "-5 6", "640.5 480", "1e300 480"})
+        EXPECT_THAT(error("1 2 3 4 " + size), HasSubstr("whole numbers of pixels"));
 }
 
 }  // namespace

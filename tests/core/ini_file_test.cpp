@@ -69,12 +69,31 @@ TEST_F(IniFile, RefusesMalformedOverrides)
             HasSubstr("'" + text + "'"));
 }
 
+struct TNumberOptions : fild::Options
+{
+    int x = 0;
+
+ protected:
+    void describe(fild::OptionVisitor& visitor) override { visitor.integer("x", x, 0, 10); }
+};
+
+TEST_F(IniFile, LoadsTheSectionsThatAreThere)
+{
+    TNumberOptions a;
+    TNumberOptions b;
+    fild::load_sections(load("[b]\nx=7\n"), {{"a", &a}, {"b", &b}});
+    EXPECT_EQ(a.x, 0);
+    EXPECT_EQ(b.x, 7);
+}
+
 TEST_F(IniFile, NamesUnknownSections)
 {
-    const auto config = load("[a]\nx=1\n[c]\ny=1\n");
+    TNumberOptions a;
+    TNumberOptions b;
+    const auto config = load("[a]\nx=1\n[c]\nx=1\n");
     EXPECT_THAT(message_of<std::runtime_error>(
                     [&] {
-                        fild::reject_unknown_sections(config, {"a", "b"});
+                        fild::load_sections(config, {{"a", &a}, {"b", &b}});
                     }),
                 HasSubstr("unknown section [c]; known sections: [a] [b]"));
 }

@@ -143,6 +143,16 @@ INSTANTIATE_TEST_SUITE_P(FundamentalVerifier,
                                            RansacMethod::graph_cut,
                                            RansacMethod::magsac));
 
+TEST(FundamentalVerifier, WantsItsShareOfTheMatches)
+{
+    const auto pixels = two_views(60, 60, 7);
+    fild::TVerificationOptions options;
+    options.min_inlier_ratio = 0.3;
+    EXPECT_EQ(verify(options, pixels).rejection, Rejection::none);
+    options.min_inlier_ratio = 0.8;
+    EXPECT_EQ(verify(options, pixels).rejection, Rejection::too_few_inliers);
+}
+
 TEST(FundamentalVerifier, DoesNotLookAtFewerMatchesThanInliersAskedFor)
 {
     const fild::TVerificationOptions options;

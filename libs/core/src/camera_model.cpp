@@ -4,6 +4,7 @@
 #include "fild/core/parse_number.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -12,6 +13,20 @@ namespace fild
 {
 namespace
 {
+std::string not_a_number(const std::string& origin, const std::string& word)
+{
+    return origin + ": '" + word + "' is not a number";
+}
+
+/** A number of pixels, which must be whole. */
+int parse_size(double number, const std::string& origin)
+{
+    constexpr double kLargest = 1e6;
+    if (!(number >= 1 && number <= kLargest) || number != std::floor(number))
+        throw std::runtime_error(origin + ": the image size must be whole numbers of pixels");
+    return static_cast<int>(number);
+}
+
 std::vector<double> parse_numbers(const std::string& text, const std::string& origin)
 {
     std::vector<double> numbers;
@@ -19,7 +34,7 @@ std::vector<double> parse_numbers(const std::string& text, const std::string& or
     for (std::string word; words >> word;)
     {
         const auto number = parse_number<double>(word);
-        if (!number) throw std::runtime_error(origin + ": '" + word + "' is not a number");
+        if (!number) throw std::runtime_error(not_a_number(origin, word));
         numbers.push_back(*number);
     }
     return numbers;
@@ -39,10 +54,10 @@ CameraModel parse_camera_model(const std::string& text, const std::string& origi
     camera.fy = numbers[1];
     camera.cx = numbers[2];
     camera.cy = numbers[3];
-    camera.width = static_cast<int>(numbers[4]);
-    camera.height = static_cast<int>(numbers[5]);
-    if (!(camera.fx > 0 && camera.fy > 0 && camera.width > 0 && camera.height > 0))
-        throw std::runtime_error(origin + ": focal lengths and image size must be positive");
+    camera.width = parse_size(numbers[4], origin);
+    camera.height = parse_size(numbers[5], origin);
+    if (!(camera.fx > 0 && camera.fy > 0))
+        throw std::runtime_error(origin + ": focal lengths must be positive");
     if (count > 6) camera.lens = LensModel::plumb_bob;
     std::copy(numbers.begin() + 6, numbers.end(), camera.distortion.begin());
     return camera;

@@ -110,17 +110,20 @@ void apply_overrides(mrpt::config::CConfigFileMemory& config,
     }
 }
 
-void reject_unknown_sections(const mrpt::config::CConfigFileBase& config,
-                             const std::vector<std::string>& known)
+void load_sections(const mrpt::config::CConfigFileBase& config,
+                   const std::vector<std::pair<std::string, Options*>>& sections)
 {
-    std::vector<std::string> sections;
-    config.getAllSections(sections);
-    for (const auto& section : sections)
+    std::string known;
+    for (const auto& [name, options] : sections) known.append(" [").append(name).append("]");
+    std::vector<std::string> present;
+    config.getAllSections(present);
+    for (const auto& name : present)
     {
-        if (std::find(known.begin(), known.end(), section) != known.end()) continue;
-        std::string list;
-        for (const auto& name : known) list += " [" + name + "]";
-        throw std::runtime_error("unknown section [" + section + "]; known sections:" + list);
+        const auto matches = [&](const auto& section) { return section.first == name; };
+        const auto section = std::find_if(sections.begin(), sections.end(), matches);
+        if (section == sections.end())
+            throw std::runtime_error("unknown section [" + name + "]; known sections:" + known);
+        section->second->loadFromConfigFile(config, name);
     }
 }
 

@@ -2,7 +2,6 @@
 #include "fild/core/whole_file.h"
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -16,7 +15,9 @@ WholeFile::WholeFile(std::string path)
       temporary_path_(path_ + ".part-" + std::to_string(::getpid())),
       stream_(temporary_path_, std::ios::binary | std::ios::trunc)
 {
-    if (!stream_) throw std::runtime_error("cannot write " + path_ + ": " + std::strerror(errno));
+    if (!stream_)
+        throw std::runtime_error("cannot write " + path_ + ": " +
+                                 std::generic_category().message(errno));
 }
 
 WholeFile::~WholeFile()

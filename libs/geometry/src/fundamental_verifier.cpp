@@ -81,7 +81,10 @@ Verification FundamentalVerifier::verify(const std::vector<PixelPosition>& query
     result.candidate_from_query_f = cv::Matx33d(f);
     for (std::size_t k = 0; k < is_inlier.size(); ++k)
         if (is_inlier[k] != 0) result.inliers.push_back(k);
-    if (result.inliers.size() < wanted) result.rejection = Rejection::too_few_inliers;
+    const auto share =
+        static_cast<double>(result.inliers.size()) / static_cast<double>(query.size());
+    if (result.inliers.size() < wanted || share < options_.min_inlier_ratio)
+        result.rejection = Rejection::too_few_inliers;
     return result;
 }
 

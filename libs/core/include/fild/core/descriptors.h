@@ -60,9 +60,15 @@ struct BinaryCodes
     std::vector<std::uint64_t> words;
     std::vector<std::uint16_t> buckets;
 
-    std::size_t size() const { return words_per_code == 0 ? 0 : words.size() / words_per_code; }
-    const std::uint64_t* code(std::size_t i) const { return words.data() + i * words_per_code; }
-    const std::uint16_t* bucket(std::size_t i) const { return buckets.data() + i * tables; }
+    std::size_t size() const { return words_per_code == 0 ? 0 : words.size() / stride(); }
+    const std::uint64_t* code(std::size_t i) const { return words.data() + i * stride(); }
+    const std::uint16_t* bucket(std::size_t i) const
+    {
+        return buckets.data() + i * static_cast<std::size_t>(tables);
+    }
+
+ private:
+    std::size_t stride() const { return static_cast<std::size_t>(words_per_code); }
 };
 
 /** What the map keeps of a frame for the verification of later loops. */

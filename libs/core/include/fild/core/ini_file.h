@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/options.h"
+
 #include <mrpt/config/CConfigFileMemory.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fild
@@ -20,8 +23,10 @@ mrpt::config::CConfigFileMemory load_ini_file(const std::string& path);
 void apply_overrides(mrpt::config::CConfigFileMemory& config,
                      const std::vector<std::string>& overrides);
 
-/** \throw std::runtime_error naming the first section of `config` not in `known`, and the known. */
-void reject_unknown_sections(const mrpt::config::CConfigFileBase& config,
-                             const std::vector<std::string>& known);
+/** Loads every section that is there into its options, refusing sections that none is for.
+ *  \throw std::runtime_error naming the unknown section and the known ones, or as
+ *         Options::loadFromConfigFile. */
+void load_sections(const mrpt::config::CConfigFileBase& config,
+                   const std::vector<std::pair<std::string, Options*>>& sections);
 
 }  // namespace fild

@@ -34,7 +34,7 @@ enum class Rejection
     too_few_matches,  ///< fewer matches than a fundamental matrix needs, or than the inliers asked
                       ///< for
     no_model,  ///< RANSAC found no fundamental matrix
-    too_few_inliers,  ///< fewer than tau
+    too_few_inliers,  ///< fewer than tau, or too small a share of the matches
     not_consistent_yet  ///< verified, but not beta frames in a row
 };
 

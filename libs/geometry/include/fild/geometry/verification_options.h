@@ -20,6 +20,9 @@ struct TVerificationOptions : Options
 {
     RansacMethod method = RansacMethod::ransac;
     int min_inliers = 20;  ///< tau: fewer inliers are no loop
+    /** Inliers must be at least this share of the matches: a wrong pair with many matches gathers
+     * tau inliers by chance, but not most of them. 0: the count decides alone, as in the paper. */
+    double min_inlier_ratio = 0;
     double max_epipolar_error_px = 3;  ///< a match is an inlier up to this distance, pixels
     double confidence = 0.99;  ///< RANSAC stops when a better model is this unlikely
     int max_iterations = 1000;

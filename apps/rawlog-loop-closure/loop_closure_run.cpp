@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loop_closure_run.h"
+
+#include "fild/features/model_file.h"
+#include "fild/rawlog/rawlog_reader.h"
+#include "fild/report/run_summary.h"
+#include "fild/report/verdict_csv.h"
+#include "interruption.h"
+#include "match_pictures.h"
+#include "output_folder.h"
+#include "progress_line.h"
+
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/system/os.h>
+#include <opencv2/core/utility.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+/** Everything a run gathers on its way through the rawlog. */
+struct Gathered
+{
+    Gathered(const OutputFolder& folder, bool for_pictures)
+        : frames(folder.file("frames.csv")),
+          loops(folder.file("loops.csv")),
+          keep_closures(for_pictures)
+    {
+    }
+
+    void add(const DetectorOutcome& outcome)
+    {
+        frames.add(outcome.verdict);
+        summary.add(outcome.verdict);
+        timestamps.push_back(outcome.verdict.timestamp);
+        if (!outcome.verdict.accepted()) return;
+        loops.add(outcome.verdict);
+        if (!keep_closures) return;
+        const auto candidate = to_index(outcome.verdict.candidate->frame);
+        closures.push_back(to_loop_picture(outcome, timestamps.at(candidate)));
+    }
+
+    VerdictCsv frames;
+    VerdictCsv loops;
+    RunSummary summary;
+    bool keep_closures;  ///< for pictures
+    std::vector<double> timestamps;  ///< of every camera frame
+    std::vector<LoopPicture> closures;
+};
+
+/** Feeds the rawlog to the stream until its end, the limit of frames or an interruption. */
+void read_frames(const RunRequest& request,
+                 RawlogReader& reader,
+                 LoopClosureStream& stream,
+                 Gathered& gathered)
+{
+    ProgressLine progress(request.quiet);
+    const auto& count = gathered.summary.camera_frames;
+    while (count != request.max_frames || count == 0)
+    {
+        if (interrupted()) throw std::runtime_error("interrupted");
+        const auto observation = reader.next();
+        if (!observation) break;
+        auto outcome = stream.feed(*observation);
+        if (!outcome) continue;
+        gathered.add(*outcome);
+        const double of_limit =
+            request.max_frames == 0
+                ? 0
+                : static_cast<double>(count) / static_cast<double>(request.max_frames);
+        progress.update(
+            std::max(reader.fraction_read(), of_limit), count, gathered.summary.loop_closures);
+    }
+}
+
+/** As read_frames(), but an error after the first frame is returned: what came before is good. */
+std::string read_what_can_be_read(const RunRequest& request,
+                                  RawlogReader& reader,
+                                  LoopClosureStream& stream,
+                                  Gathered& gathered)
+{
+    try
+    {
+        read_frames(request, reader, stream, gathered);
+    }
+    catch (const std::runtime_error& error)
+    {
+        if (gathered.summary.camera_frames == 0) throw;
+        return error.what();
+    }
+    if (gathered.summary.camera_frames > 0) return "";
+    const auto& label = request.options.stream.input.sensor_label;
+    const auto wanted = label.empty() ? "" : " that matches [input] sensor_label='" + label + "'";
+    throw std::runtime_error(request.rawlog + " has no camera observation" + wanted + "; " +
+                             stream.frames().describe_labels());
+}
+
+/** Fills in all of the summary that is not counted frame by frame. */
+void complete_summary(RunRequest& request, const LoopClosureStream& stream, RunSummary& summary)
+{
+    summary.rawlog = request.rawlog;
+    summary.clock_jumps = stream.detector().clock_jumps();
+    summary.ignored_camera_labels = stream.frames().ignored_camera_labels();
+    for (const auto& [name, options] : request.options.sections())
+        summary.options.emplace_back(name, options->values());
+    summary.versions = {{"mrpt-fild", FILD_VERSION},
+                        {"MRPT", mrpt::system::MRPT_getVersion()},
+                        {"OpenCV", cv::getVersionString()},
+                        {"compiler", __VERSION__}};
+    const auto& model = request.options.stream.detector.global_descriptor.model_file;
+    summary.model_file = find_model_file(model);
+    summary.model_sha256 = sha256_of_file(summary.model_file);
+    summary.stage_times = stream.times().statistics();
+    summary.map_bytes = stream.detector().map_bytes();
+    summary.peak_memory_bytes = peak_memory_bytes();
+}
+
+void print_result(const RunSummary& summary, const std::string& output)
+{
+    for (const auto& label : summary.ignored_camera_labels)
+        std::cerr << "note: camera " << label
+                  << " was not looked at; [input] sensor_label chooses cameras\n";
+    std::cout << summary.camera_frames << " frames, " << summary.loop_closures
+              << " loop closures, in " << output << "\n";
+    for (const auto& [rejection, count] : summary.frames_by_rejection)
+        if (rejection != Rejection::none)
+            std::cout << "  " << to_word(rejection) << ": " << count << "\n";
+}
+}  // namespace
+
+std::vector<std::pair<std::string, Options*>> TRunOptions::sections()
+{
+    auto all = stream.sections();
+    all.emplace_back("render", &render);
+    return all;
+}
+
+void run_loop_closure(RunRequest request)
+{
+    const auto start = std::chrono::steady_clock::now();
+    catch_interruption();
+    cv::setNumThreads(1);  // our own threads are enough, and OpenCV's may not repeat
+    const auto& options = request.options;
+    RawlogReader reader(request.rawlog);
+    LoopClosureStream stream(options.stream, request.rawlog);
+    const OutputFolder folder(request.output);
+
+    Gathered gathered(folder, options.render.max_match_pictures > 0);
+    auto& summary = gathered.summary;
+    summary.ended_early = read_what_can_be_read(request, reader, stream, gathered);
+    gathered.frames.commit();
+    gathered.loops.commit();
+    summary.match_pictures = draw_match_pictures(gathered.closures,
+                                                 options.render,
+                                                 options.stream.input,
+                                                 request.rawlog,
+                                                 folder.file("matches"));
+    complete_summary(request, stream, summary);
+    summary.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    write_summary(summary, folder.file("summary.json"));
+    print_result(summary, request.output);
+    if (!summary.ended_early.empty())
+        throw std::runtime_error(summary.ended_early + "; the results of the " +
+                                 std::to_string(summary.camera_frames) + " frames before are in " +
+                                 request.output);
+}
+
+}  // namespace fild

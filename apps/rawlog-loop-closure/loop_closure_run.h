@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/options.h"
+#include "fild/render/render_options.h"
+#include "fild/stream/loop_closure_stream.h"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fild
+{
+/** All sections of the .ini file. */
+struct TRunOptions
+{
+    TLoopClosureStreamOptions stream;
+    TRenderOptions render;
+
+    std::vector<std::pair<std::string, Options*>> sections();
+};
+
+/** One run of the main job. */
+struct RunRequest
+{
+    std::string rawlog;
+    std::string output;  ///< folder
+    std::size_t max_frames = 0;  ///< 0: all
+    bool quiet = false;
+    TRunOptions options;
+};
+
+/** Runs the detector over the rawlog and writes frames.csv, loops.csv, summary.json and
+ *  matches/QUERY_CANDIDATE.png into the output folder; each appears when it is whole.
+ *
+ *  When the rawlog breaks off, an error stops the run or the user interrupts it, the results of the
+ *  frames before are written all the same, summary.json says why it ended, and then the error is
+ * thrown. \throw std::runtime_error when the run did not reach the end of the rawlog or could not
+ * begin. */
+void run_loop_closure(RunRequest request);
+
+}  // namespace fild

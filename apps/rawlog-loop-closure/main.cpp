@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// rawlog-loop-closure: a rawlog in; loop closures, pictures and a summary out.
+#include "app_main.h"
+#include "fild/core/ini_file.h"
+#include "loop_closure_run.h"
+
+#include <optional>
+#include <string>
+
+namespace
+{
+using Text = TCLAP::ValueArg<std::string>;
+
+/** Nothing when --help or --version was all that was asked for. \throw fild::WrongUsage */
+std::optional<fild::RunRequest> parse(int argc, char** argv)
+{
+    TCLAP::CmdLine command(
+        "Finds where the camera of a rawlog returns to a known place.", ' ', FILD_VERSION);
+    TCLAP::SwitchArg quiet("q", "quiet", "No progress line", command);
+    TCLAP::ValueArg<int> max_frames(
+        "n", "max-frames", "Stop after so many camera frames", false, 1, "FRAMES", command);
+    TCLAP::MultiArg<std::string> overrides(
+        "s", "set", "Replaces a value of the configuration", false, "section.key=value", command);
+    Text output("o", "output", "Folder for the results; made if need be", true, "", "DIR", command);
+    Text config("c", "config", "Configuration; see config-ini/", true, "", "FILE.ini", command);
+    Text rawlog("r", "rawlog", "The recording, plain or gzipped", true, "", "FILE.rawlog", command);
+    if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
+    if (max_frames.getValue() < 1) throw fild::WrongUsage("--max-frames must be at least 1");
+
+    fild::RunRequest request;
+    request.rawlog = rawlog.getValue();
+    request.output = output.getValue();
+    if (max_frames.isSet()) request.max_frames = static_cast<std::size_t>(max_frames.getValue());
+    request.quiet = quiet.getValue();
+    auto ini = fild::load_ini_file(config.getValue());
+    fild::apply_overrides(ini, overrides.getValue());
+    fild::load_sections(ini, request.options.sections());
+    return request;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return fild::app_main("rawlog-loop-closure", argc, argv, parse, fild::run_loop_closure);
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+
+namespace fild
+{
+/** Tells the user on stderr how far the run is: one line that rewrites itself on a terminal, one
+ * line each 5 % elsewhere, nothing when quiet. Not thread-safe: one caller at a time. */
+class ProgressLine
+{
+ public:
+    explicit ProgressLine(bool quiet);
+    ProgressLine(const ProgressLine&) = delete;
+    ProgressLine& operator=(const ProgressLine&) = delete;
+    ~ProgressLine();  ///< ends the line on a terminal
+
+    /** \param fraction  share of the work done, [0, 1]. */
+    void update(double fraction, std::size_t frames, std::size_t loops);
+
+ private:
+    bool is_due(double fraction);
+    double seconds() const;
+
+    bool quiet_;
+    bool on_terminal_;
+    bool written_ = false;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double next_seconds_ = 0;
+    double next_fraction_ = 0.05;
+};
+
+}  // namespace fild

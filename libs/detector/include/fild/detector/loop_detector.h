@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/stage_times.h"
+#include "fild/core/verdict.h"
+#include "fild/detector/detector_options.h"
+#include "fild/detector/frame_describer.h"
+#include "fild/detector/temporal_consistency.h"
+#include "fild/geometry/fundamental_verifier.h"
+#include "fild/index/delay_queue.h"
+#include "fild/index/place_index.h"
+#include "fild/matching/code_matcher.h"
+
+#include <cstddef>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace fild
+{
+/** The detector's answer for one frame, with what a picture or a constraint is made of. */
+struct DetectorOutcome
+{
+    FrameVerdict verdict;
+    std::vector<PixelPair> matches;  ///< with verdict.candidate, after the ratio test
+    std::vector<std::size_t> inliers;  ///< indices into `matches`
+};
+
+/** The FILD pipeline, An et al., IROS 2019, Figure 2: finds for each frame the earlier frame that
+ *  shows the same place, or says why there is none.
+ *
+ *  Takes frames in increasing id. Time stamps may jump backwards (the clock was set): the delay
+ * then goes on from the last frame, and clock_jumps() counts it. Deterministic: the same
+ * descriptions and options give the same verdicts. Not thread-safe: one caller at a time. */
+class LoopDetector
+{
+ public:
+    /** \param global_dimension  length of the global descriptors that will come. */
+    LoopDetector(const TDetectorOptions& options, std::size_t global_dimension);
+
+    /** \param times receives "index_insertion", "index_search", "matching" and "verification".
+     *  \throw std::invalid_argument when ids do not increase or a descriptor has another length. */
+    DetectorOutcome process(FrameDescription description, StageTimes& times);
+
+    /** Memory of codes, positions and descriptors held for later frames, bytes; the links of the
+     *  HNSW graph (about 8 M bytes a frame) not counted. */
+    std::size_t map_bytes() const { return map_bytes_; }
+
+    std::size_t clock_jumps() const { return clock_jumps_; }
+
+ private:
+    /** What is kept of a frame. */
+    struct Place
+    {
+        double timestamp = 0;
+        HashedFeatures local;
+    };
+
+    double advance_clock(double timestamp);
+    void insert_released(std::vector<DelayQueue::Entry> released, StageTimes& times);
+    DetectorOutcome find_loop(const FrameDescription& query, StageTimes& times);
+    DetectorOutcome verify(const FrameDescription& query,
+                           const Candidate& candidate,
+                           StageTimes& times) const;
+    void check_consistency(DetectorOutcome& outcome);
+    void remember(FrameDescription description);
+
+    double min_similarity_;
+    std::size_t candidates_;
+    DelayQueue queue_;
+    std::unique_ptr<PlaceIndex> index_;
+    CodeMatcher matcher_;
+    FundamentalVerifier verifier_;
+    TemporalConsistency consistency_;
+
+    std::unordered_map<FrameId, Place> places_;
+    std::size_t map_bytes_ = 0;
+    double clock_ = 0;  ///< seconds since the first frame; never runs backwards
+    std::optional<double> last_timestamp_;
+    std::optional<FrameId> last_frame_;
+    std::size_t clock_jumps_ = 0;
+};
+
+}  // namespace fild

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/detector/detector_options.h"
+
+#include <limits>
+
+namespace fild
+{
+void TConsistencyOptions::describe(OptionVisitor& visitor)
+{
+    visitor.integer("consecutive_frames", consecutive_frames, 1, 1000);
+    visitor.real("max_candidate_step_seconds", max_candidate_step_seconds, 0, 1e6);
+    visitor.integer("sure_inliers", sure_inliers, 0, 1000000);
+}
+
+void TRuntimeOptions::describe(OptionVisitor& visitor)
+{
+    visitor.integer("seed", seed, 0, std::numeric_limits<int>::max());
+    visitor.integer("num_threads", num_threads, 0, 256);
+}
+
+std::vector<std::pair<std::string, Options*>> TDetectorOptions::sections()
+{
+    return {{"global_descriptor", &global_descriptor},
+            {"index", &index},
+            {"local_features", &local_features},
+            {"hashing", &hashing},
+            {"verification", &verification},
+            {"consistency", &consistency},
+            {"runtime", &runtime}};
+}
+
+}  // namespace fild

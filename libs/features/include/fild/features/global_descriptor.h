@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/descriptors.h"
+#include "fild/features/global_descriptor_options.h"
+
+#include <opencv2/core/mat.hpp>
+
+#include <memory>
+
+namespace fild
+{
+/** Appearance of a whole image by a convolutional network, MobileNetV2 in FILD (IROS 2019) section
+ *  III-A: one or more layers' outputs, pooled and normalised. Batch normalisation is expected to be
+ *  merged with the convolutions in the model file, Eq. (1) to (3).
+ *
+ *  Deterministic for a given build of OpenCV. Not thread-safe: one caller at a time. */
+class GlobalDescriptorExtractor
+{
+ public:
+    /** Loads the network and runs it once on a black image, so that a wrong model fails here.
+     *  \throw std::runtime_error when the model file is missing (naming the command that gets it)
+     * or is no model, has no such layer, or gives a descriptor not of options.dimension. */
+    explicit GlobalDescriptorExtractor(const TGlobalDescriptorOptions& options);
+    ~GlobalDescriptorExtractor();
+    GlobalDescriptorExtractor(GlobalDescriptorExtractor&&) noexcept;
+    GlobalDescriptorExtractor& operator=(GlobalDescriptorExtractor&&) noexcept;
+
+    /** \param image 8 bit, one channel (grey) or three (BGR), any size but empty.
+     *  \return dimension() numbers of unit norm.
+     *  \throw std::invalid_argument on another kind of image. */
+    GlobalDescriptor extract(const cv::Mat& image);
+
+    std::size_t dimension() const { return dimension_; }
+
+ private:
+    GlobalDescriptor forward(const cv::Mat& image);
+
+    struct Network;  // keeps OpenCV's dnn header in one .cpp
+    TGlobalDescriptorOptions options_;
+    std::unique_ptr<Network> network_;
+    std::size_t dimension_ = 0;
+};
+
+}  // namespace fild

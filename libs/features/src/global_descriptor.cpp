@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Global descriptors of FILD (An et al., IROS 2019), section III-A: MobileNetV2 (Sandler et al.,
+// CVPR 2018).
+#include "fild/features/global_descriptor.h"
+
+#include "fild/features/model_file.h"
+#include "pooling.h"
+
+#include <opencv2/dnn.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+void require_file(const std::string& path)
+{
+    if (!std::filesystem::is_regular_file(path))
+        throw std::runtime_error(
+            "the model file " + path +
+            " is not there; datasets-scripts/get-model.sh gets the default one, "
+            "[global_descriptor] model_file names another");
+}
+
+cv::dnn::Net read_network(const TGlobalDescriptorOptions& options)
+{
+    require_file(options.model_file);
+    if (!options.caffe_prototxt_file.empty()) require_file(options.caffe_prototxt_file);
+    try
+    {
+        auto net = options.caffe_prototxt_file.empty()
+                       ? cv::dnn::readNetFromONNX(options.model_file)
+                       : cv::dnn::readNetFromCaffe(options.caffe_prototxt_file, options.model_file);
+        net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+        return net;
+    }
+    catch (const cv::Exception& error)
+    {
+        throw std::runtime_error("cannot read " + options.model_file +
+                                 " as a network: " + error.err);
+    }
+}
+
+std::string last_layers(const std::vector<cv::String>& names)
+{
+    constexpr std::size_t kShown = 8;
+    std::string last;
+    for (auto i = names.size() - std::min(names.size(), kShown); i < names.size(); ++i)
+        last += " '" + names[i] + "'";
+    return last;
+}
+
+/** The names under which OpenCV keeps the wanted layers: for ONNX it puts a prefix before the name
+ * of a node. */
+std::vector<std::string> find_layers(const cv::dnn::Net& net,
+                                     const TGlobalDescriptorOptions& options)
+{
+    const auto known = net.getLayerNames();
+    std::vector<std::string> found;
+    for (const auto& wanted : options.layer_names())
+    {
+        const auto is_wanted = [&](const std::string& name)
+        { return name == wanted || name == "onnx_node!" + wanted; };
+        const auto name = std::find_if(known.begin(), known.end(), is_wanted);
+        if (name == known.end())
+            throw std::runtime_error("[global_descriptor] layers: " + options.model_file +
+                                     " has no layer '" + wanted + "'; its last are" +
+                                     last_layers(known));
+        found.push_back(*name);
+    }
+    return found;
+}
+
+cv::Mat to_bgr(const cv::Mat& image)
+{
+    if (image.empty() || (image.type() != CV_8UC1 && image.type() != CV_8UC3))
+        throw std::invalid_argument(
+            "GlobalDescriptorExtractor: the image is not 8 bit grey or BGR");
+    if (image.channels() == 3) return image;
+    cv::Mat bgr;
+    cv::cvtColor(image, bgr, cv::COLOR_GRAY2BGR);
+    return bgr;
+}
+
+/** 1 x 3 x input_height x input_width: (pixel - mean) x scale. */
+cv::Mat to_blob(const cv::Mat& bgr, const TGlobalDescriptorOptions& options)
+{
+    cv::Mat resized;
+    const cv::Size size(options.input_width, options.input_height);
+    cv::resize(bgr, resized, size, 0, 0, bgr.cols > size.width ? cv::INTER_AREA : cv::INTER_LINEAR);
+    const auto mean = options.channel_means();
+    const bool rgb = options.channel_order == ChannelOrder::rgb;
+    return cv::dnn::blobFromImage(
+        resized, options.scale, size, cv::Scalar(mean[0], mean[1], mean[2]), rgb);
+}
+}  // namespace
+
+struct GlobalDescriptorExtractor::Network
+{
+    cv::dnn::Net net;
+    std::vector<std::string> layers;
+};
+
+GlobalDescriptorExtractor::GlobalDescriptorExtractor(const TGlobalDescriptorOptions& options)
+    : options_(options), network_(std::make_unique<Network>())
+{
+    options_.check();
+    options_.model_file = find_model_file(options_.model_file);
+    if (!options_.caffe_prototxt_file.empty())
+        options_.caffe_prototxt_file = find_model_file(options_.caffe_prototxt_file);
+    network_->net = read_network(options_);
+    network_->layers = find_layers(network_->net, options_);
+    dimension_ =
+        forward(cv::Mat::zeros(options_.input_height, options_.input_width, CV_8UC3)).size();
+    const auto wanted = static_cast<std::size_t>(options_.dimension);
+    if (wanted != 0 && wanted != dimension_)
+        throw std::runtime_error("[global_descriptor] " + options_.model_file +
+                                 " gives descriptors of " + std::to_string(dimension_) +
+                                 " numbers, but dimension=" + std::to_string(wanted));
+}
+
+GlobalDescriptorExtractor::~GlobalDescriptorExtractor() = default;
+GlobalDescriptorExtractor::GlobalDescriptorExtractor(GlobalDescriptorExtractor&&) noexcept =
+    default;
+GlobalDescriptorExtractor& GlobalDescriptorExtractor::operator=(
+    GlobalDescriptorExtractor&&) noexcept = default;
+
+GlobalDescriptor GlobalDescriptorExtractor::extract(const cv::Mat& image)
+{
+    return forward(to_bgr(image));
+}
+
+GlobalDescriptor GlobalDescriptorExtractor::forward(const cv::Mat& bgr)
+{
+    std::vector<cv::Mat> outputs;
+    try
+    {
+        network_->net.setInput(to_blob(bgr, options_));
+        network_->net.forward(outputs, network_->layers);
+    }
+    catch (const cv::Exception& error)
+    {
+        throw std::runtime_error("[global_descriptor] " + options_.model_file +
+                                 " does not run on an input of " +
+                                 std::to_string(options_.input_width) + "x" +
+                                 std::to_string(options_.input_height) + ": " + error.err);
+    }
+    GlobalDescriptor descriptor;
+    for (const auto& output : outputs)
+    {
+        const auto pooled = pool(to_feature_map(output), options_);
+        descriptor.insert(descriptor.end(), pooled.begin(), pooled.end());
+    }
+    normalize(descriptor.begin(), descriptor.end());
+    if (!std::all_of(
+            descriptor.begin(), descriptor.end(), [](float x) { return std::isfinite(x); }))
+        throw std::runtime_error(options_.model_file + " gives numbers that are not finite");
+    return descriptor;
+}
+
+}  // namespace fild

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/options.h"
+#include "fild/core/stage_times.h"
+#include "fild/detector/detector_options.h"
+#include "fild/detector/loop_detector.h"
+#include "fild/rawlog/frame_builder.h"
+#include "fild/rawlog/input_options.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mrpt::obs
+{
+class CObservation;
+}
+
+namespace fild
+{
+/** Options of a LoopClosureStream: the sections [input] to [runtime] of an .ini file. */
+struct TLoopClosureStreamOptions
+{
+    TInputOptions input;
+    TDetectorOptions detector;
+
+    /** The sections by name; for load_sections(). */
+    std::vector<std::pair<std::string, Options*>> sections();
+};
+
+/** Finds loop closures in a stream of MRPT observations, fed one by one as on a robot.
+ *  \code
+ *  fild::LoopClosureStream stream(options);
+ *  if (const auto outcome = stream.feed(*observation); outcome && outcome->verdict.accepted())
+ *      std::cout << "back at frame " << to_index(outcome->verdict.candidate->frame) << "\n";
+ *  \endcode
+ *  Deterministic: the same observations and options give the same verdicts, with any num_threads.
+ *  Not thread-safe: one caller at a time. */
+class LoopClosureStream
+{
+ public:
+    /** \param rawlog_path  the rawlog that the observations come from, when there is one:
+     * externally stored images are looked for beside it, see TInputOptions::images_dir. \throw
+     * std::runtime_error when the model is missing or unfit, std::invalid_argument on bad options.
+     */
+    explicit LoopClosureStream(const TLoopClosureStreamOptions& options,
+                               const std::string& rawlog_path = "");
+
+    /** Looks at one observation. Nothing comes back for observations that are not of the wanted
+     *  camera; every camera frame gets a verdict.
+     *  \throw std::runtime_error as FrameBuilder::build. */
+    std::optional<DetectorOutcome> feed(const mrpt::obs::CObservation& observation);
+
+    const FrameBuilder& frames() const { return frames_; }
+    const LoopDetector& detector() const { return detector_; }
+    const StageTimes& times() const { return times_; }
+
+ private:
+    FrameBuilder frames_;
+    FrameDescriber describer_;
+    LoopDetector detector_;
+    StageTimes times_;
+};
+
+}  // namespace fild

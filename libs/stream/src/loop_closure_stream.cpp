@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/stream/loop_closure_stream.h"
+
+#include <mrpt/obs/CObservation.h>
+
+namespace fild
+{
+std::vector<std::pair<std::string, Options*>> TLoopClosureStreamOptions::sections()
+{
+    std::vector<std::pair<std::string, Options*>> all = {{"input", &input}};
+    for (const auto& section : detector.sections()) all.push_back(section);
+    return all;
+}
+
+LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
+                                     const std::string& rawlog_path)
+    : frames_(options.input, rawlog_path),
+      describer_(options.detector),
+      detector_(options.detector, describer_.global_dimension())
+{
+}
+
+std::optional<DetectorOutcome> LoopClosureStream::feed(const mrpt::obs::CObservation& observation)
+{
+    if (!frames_.accepts(observation)) return std::nullopt;
+    const StageTimer whole(times_, "whole_frame");
+    Frame frame;
+    {
+        const StageTimer timer(times_, "image_decoding");
+        frame = frames_.build(observation);
+    }
+    return detector_.process(describer_.describe(frame, times_), times_);
+}
+
+}  // namespace fild

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/detector/loop_detector.h"
+
+#include "fild/core/random.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace
+{
+using fild::FrameDescription;
+using fild::FrameId;
+using fild::Rejection;
+
+constexpr std::size_t kDimension = 16;
+constexpr std::size_t kPoints = 80;
+
+double uniform(std::mt19937_64& generator, double low, double high)
+{
+    return low + (high - low) * static_cast<double>(generator() >> 11U) * 0x1.0p-53;
+}
+
+/** What a camera sees at place number `place`, moved sideways by `shift` metres: the same world
+ * points with the same codes for every visit, a descriptor of its own for every place. */
+FrameDescription view_of(std::uint64_t place, double shift)
+{
+    std::mt19937_64 generator(place);
+    FrameDescription view;
+    view.sensor_label = "CAMERA1";
+    double squares = 0;
+    for (std::size_t k = 0; k < kDimension; ++k)
+    {
+        view.global.push_back(static_cast<float>(fild::standard_normal(generator)));
+        squares += static_cast<double>(view.global.back()) * view.global.back();
+    }
+    for (auto& x : view.global) x /= static_cast<float>(std::sqrt(squares));
+    auto& codes = view.local.codes;
+    codes.bits = 256;
+    codes.words_per_code = 4;
+    for (std::size_t i = 0; i < kPoints; ++i)
+    {
+        const double x = uniform(generator, -3, 3) + shift;
+        const double y = uniform(generator, -2, 2);
+        const double z = uniform(generator, 4, 12);
+        view.local.positions.push_back(
+            {static_cast<float>(500 * x / z + 320), static_cast<float>(500 * y / z + 240)});
+        for (int w = 0; w < 4; ++w) codes.words.push_back(generator());
+    }
+    return view;
+}
+
+fild::TDetectorOptions options_with_delay(double seconds)
+{
+    fild::TDetectorOptions options;
+    options.index.delay_seconds = seconds;
+    options.consistency.consecutive_frames = 1;
+    return options;
+}
+
+/** Drives along the places at one frame a second. */
+std::vector<fild::DetectorOutcome> drive(const fild::TDetectorOptions& options,
+                                         const std::vector<std::uint64_t>& places)
+{
+    fild::LoopDetector detector(options, kDimension);
+    fild::StageTimes times;
+    std::vector<fild::DetectorOutcome> outcomes;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        auto view = view_of(places[i], 0.3 * static_cast<double>(i));
+        view.frame = FrameId{i};
+        view.timestamp = 1000 + static_cast<double>(i);
+        outcomes.push_back(detector.process(std::move(view), times));
+    }
+    return outcomes;
+}
+
+std::vector<Rejection> rejections(const std::vector<fild::DetectorOutcome>& outcomes)
+{
+    std::vector<Rejection> result;
+    for (const auto& outcome : outcomes) result.push_back(outcome.verdict.rejection);
+    return result;
+}
+
+TEST(LoopDetector, FindsAReturnAndSaysWhyTheOthersAreNone)
+{
+    const auto outcomes = drive(options_with_delay(2), {10, 11, 12, 10, 11});
+    EXPECT_EQ(rejections(outcomes),
+              (std::vector<Rejection>{Rejection::too_early,
+                                      Rejection::too_early,
+                                      Rejection::too_few_matches,
+                                      Rejection::none,
+                                      Rejection::none}));
+    const auto& loop = outcomes[3];
+    EXPECT_EQ(loop.verdict.candidate->frame, FrameId{0});
+    EXPECT_NEAR(loop.verdict.candidate->similarity, 1, 1e-5);
+    EXPECT_EQ(loop.verdict.keypoints, kPoints);
+    EXPECT_EQ(loop.verdict.matches, kPoints);
+    EXPECT_EQ(loop.matches.size(), kPoints);
+    EXPECT_EQ(loop.verdict.inliers, loop.inliers.size());
+    EXPECT_GE(loop.inliers.size(), kPoints - 2);
+    EXPECT_EQ(outcomes[4].verdict.candidate->frame, FrameId{1});
+}
+
+TEST(LoopDetector, NeverAnswersWithinTheDelay)
+{
+    for (const auto& outcome : drive(options_with_delay(100), {10, 10, 10, 10}))
+        EXPECT_EQ(outcome.verdict.rejection, Rejection::too_early);
+}
+
+TEST(LoopDetector, WaitsForBetaFramesInARow)
+{
+    auto options = options_with_delay(2);
+    options.consistency.consecutive_frames = 2;
+    const auto outcomes = drive(options, {10, 11, 12, 10, 11});
+    EXPECT_EQ(outcomes[3].verdict.rejection, Rejection::not_consistent_yet);
+    EXPECT_TRUE(outcomes[4].verdict.accepted());
+}
+
+TEST(LoopDetector, DoesNotVerifyBelowTheSimilarityAskedFor)
+{
+    auto options = options_with_delay(2);
+    options.index.min_similarity = 0.99;
+    const auto outcomes = drive(options, {10, 11, 12, 10});
+    EXPECT_EQ(outcomes[2].verdict.rejection, Rejection::below_similarity);
+    EXPECT_TRUE(outcomes[2].verdict.candidate.has_value());
+    EXPECT_TRUE(outcomes[3].verdict.accepted());
+}
+
+/** Place 10 looks (by its global descriptor) like the far away place 99. */
+TEST(LoopDetector, TakesTheCandidateWithTheMostInliersOfSeveral)
+{
+    const auto run = [](int candidates)
+    {
+        auto options = options_with_delay(1);
+        options.index.candidates = candidates;
+        fild::LoopDetector detector(options, kDimension);
+        fild::StageTimes times;
+        auto impostor = view_of(99, 0);
+        impostor.global = view_of(10, 0).global;
+        auto same_place = view_of(10, 0);
+        same_place.frame = FrameId{1};
+        same_place.timestamp = 5;
+        for (auto& x : same_place.global) x *= 0.9F;  // not quite as similar as the impostor
+        auto query = view_of(10, 0.4);
+        query.frame = FrameId{2};
+        query.timestamp = 10;
+        detector.process(std::move(impostor), times);
+        detector.process(std::move(same_place), times);
+        return detector.process(std::move(query), times).verdict;
+    };
+    EXPECT_EQ(run(1).rejection, Rejection::too_few_matches);
+    EXPECT_TRUE(run(2).accepted());
+    EXPECT_EQ(run(2).candidate->frame, FrameId{1});
+}
+
+TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)
+{
+    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::StageTimes times;
+    FrameDescription broken;
+    broken.frame = FrameId{4};
+    broken.defect = Rejection::missing_image;
+    const auto outcome = detector.process(std::move(broken), times);
+    EXPECT_EQ(outcome.verdict.frame, FrameId{4});
+    EXPECT_EQ(outcome.verdict.rejection, Rejection::missing_image);
+    EXPECT_EQ(detector.map_bytes(), 0U);
+}
+
+TEST(LoopDetector, GoesOnWhenTheClockJumpsBack)
+{
+    fild::LoopDetector detector(options_with_delay(2), kDimension);
+    fild::StageTimes times;
+    const std::vector<double> timestamps = {1000, 1001, 1002, 10, 11, 12};
+    const std::vector<std::uint64_t> places = {10, 11, 12, 13, 14, 10};
+    fild::DetectorOutcome last;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        auto view = view_of(places[i], 0.3 * static_cast<double>(i));
+        view.frame = FrameId{i};
+        view.timestamp = timestamps[i];
+        last = detector.process(std::move(view), times);
+    }
+    EXPECT_EQ(detector.clock_jumps(), 1U);
+    EXPECT_TRUE(last.verdict.accepted());
+    EXPECT_EQ(last.verdict.candidate->frame, FrameId{0});
+}
+
+TEST(LoopDetector, BearsFramesWithoutFeatures)
+{
+    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::StageTimes times;
+    for (std::uint64_t i = 0; i < 4; ++i)
+    {
+        auto view = view_of(10, 0);
+        view.frame = FrameId{i};
+        view.timestamp = static_cast<double>(i);
+        view.local.positions.clear();
+        view.local.codes.words.clear();
+        const auto outcome = detector.process(std::move(view), times);
+        EXPECT_EQ(outcome.verdict.rejection,
+                  i == 0 ? Rejection::too_early : Rejection::too_few_matches);
+    }
+}
+
+TEST(LoopDetector, RefusesFramesOutOfOrder)
+{
+    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::StageTimes times;
+    auto view = view_of(10, 0);
+    view.frame = FrameId{3};
+    detector.process(view, times);
+    EXPECT_THROW(detector.process(view, times), std::invalid_argument);
+}
+
+TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)
+{
+    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::StageTimes times;
+    for (std::uint64_t i = 0; i < 3; ++i)
+    {
+        auto view = view_of(10 + i, 0);
+        view.frame = FrameId{i};
+        view.timestamp = static_cast<double>(i);
+        detector.process(std::move(view), times);
+    }
+    const auto statistics = times.statistics();
+    EXPECT_EQ(statistics.at("index_insertion").calls, 2U);
+    EXPECT_EQ(statistics.at("index_search").calls, 2U);
+    EXPECT_EQ(statistics.at("matching").calls, 2U);
+    EXPECT_EQ(statistics.at("verification").calls, 2U);
+    EXPECT_EQ(detector.map_bytes(), 3 * (kPoints * (8 + 32) + kDimension * 4));
+}
+
+}  // namespace

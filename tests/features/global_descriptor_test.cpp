@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/features/global_descriptor.h"
+
+#include "fild/features/model_file.h"
+#include "message_of.h"
+#include "temporary_folder.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace
+{
+using fild::ChannelOrder;
+using fild::GlobalDescriptorExtractor;
+using fild::Pooling;
+using fild::TGlobalDescriptorOptions;
+using fild::testing::message_of;
+using ::testing::HasSubstr;
+
+/** The network of make_tiny_network.py, fed with plain pixel values. */
+TGlobalDescriptorOptions tiny_network()
+{
+    TGlobalDescriptorOptions options;
+    options.model_file = FILD_TINY_NETWORK;
+    options.layers = "map";
+    options.input_width = 4;
+    options.input_height = 4;
+    options.mean = "0";
+    options.scale = 1;
+    return options;
+}
+
+std::vector<float> extract(const TGlobalDescriptorOptions& options, const cv::Mat& image)
+{
+    return GlobalDescriptorExtractor(options).extract(image);
+}
+
+/** A 4 x 4 image whose left half is of one colour and right half of another, BGR. */
+cv::Mat two_halves(const cv::Scalar& left, const cv::Scalar& right)
+{
+    cv::Mat image(4, 4, CV_8UC3, left);
+    image.colRange(2, 4).setTo(right);
+    return image;
+}
+
+std::vector<float> unit(std::vector<double> values)
+{
+    double squares = 0;
+    for (const auto x : values) squares += x * x;
+    std::vector<float> result;
+    for (const auto x : values) result.push_back(static_cast<float>(x / std::sqrt(squares)));
+    return result;
+}
+
+void expect_near(const std::vector<float>& actual, const std::vector<float>& expected)
+{
+    ASSERT_EQ(actual.size(), expected.size());
+    for (std::size_t i = 0; i < actual.size(); ++i) EXPECT_NEAR(actual[i], expected[i], 1e-5) << i;
+}
+
+// BGR (10, 20, 30) is r = 30, g = 20, b = 10; the map's channels are c0 and c1 + 2 c2.
+TEST(GlobalDescriptor, FeedsChannelsInTheOrderAsked)
+{
+    const cv::Mat image(4, 4, CV_8UC3, cv::Scalar(10, 20, 30));
+    auto options = tiny_network();
+    expect_near(extract(options, image), unit({30, 20 + 2 * 10}));
+    options.channel_order = ChannelOrder::bgr;
+    expect_near(extract(options, image), unit({10, 20 + 2 * 30}));
+}
+
+TEST(GlobalDescriptor, SubtractsTheMeanThenScales)
+{
+    const cv::Mat image(4, 4, CV_8UC3, cv::Scalar(10, 20, 30));
+    auto options = tiny_network();
+    options.mean = "29 18 7";
+    options.scale = 0.5;
+    expect_near(extract(options, image), unit({1, 2 + 2 * 3}));
+}
+
+TEST(GlobalDescriptor, AveragesOverTheMap)
+{
+    const auto image = two_halves({0, 0, 40}, {0, 40, 0});
+    expect_near(extract(tiny_network(), image), unit({20, 20}));
+}
+
+TEST(GlobalDescriptor, TakesTheGeneralisedMean)
+{
+    const auto image = two_halves({0, 0, 40}, {0, 20, 20});
+    auto options = tiny_network();
+    options.pooling = Pooling::gem;
+    options.gem_power = 2;
+    expect_near(extract(options, image),
+                unit({std::sqrt((1600. + 400) / 2), std::sqrt((0. + 400) / 2)}));
+}
+
+TEST(GlobalDescriptor, NormalisesEachCellOfTheGrid)
+{
+    const auto image = two_halves({0, 0, 40}, {0, 4, 3});
+    auto options = tiny_network();
+    options.pooling = Pooling::grid;
+    options.grid_rows = 1;
+    options.grid_columns = 2;
+    expect_near(extract(options, image), unit({1, 0, 0.6, 0.8}));
+}
+
+TEST(GlobalDescriptor, ConcatenatesLayersNormalisedEach)
+{
+    const cv::Mat image(4, 4, CV_8UC3, cv::Scalar(0, 40, 30));
+    auto options = tiny_network();
+    options.layers = "map vector";
+    expect_near(extract(options, image), unit({0.6, 0.8, 0.6, 0.8}));
+}
+
+TEST(GlobalDescriptor, TakesGreyAsThreeEqualChannels)
+{
+    const cv::Mat image(4, 4, CV_8UC1, cv::Scalar(10));
+    expect_near(extract(tiny_network(), image), unit({10, 30}));
+}
+
+TEST(GlobalDescriptor, TakesImagesOfAnySize)
+{
+    for (const auto& size : {cv::Size(1, 1), cv::Size(640, 3), cv::Size(3, 640)})
+        expect_near(extract(tiny_network(), cv::Mat(size, CV_8UC3, cv::Scalar(0, 40, 30))),
+                    unit({30, 40}));
+}
+
+TEST(GlobalDescriptor, OfABlackImageIsAllZeroWithoutBias)
+{
+    expect_near(extract(tiny_network(), cv::Mat::zeros(4, 4, CV_8UC3)), {0, 0});
+}
+
+TEST(GlobalDescriptor, RefusesOtherKindsOfImages)
+{
+    GlobalDescriptorExtractor extractor(tiny_network());
+    EXPECT_THROW(extractor.extract(cv::Mat()), std::invalid_argument);
+    EXPECT_THROW(extractor.extract(cv::Mat(4, 4, CV_16UC1)), std::invalid_argument);
+}
+
+std::string construction_error(const TGlobalDescriptorOptions& options)
+{
+    return message_of<std::runtime_error>([&] { GlobalDescriptorExtractor extractor(options); });
+}
+
+TEST(GlobalDescriptor, NamesTheCommandThatGetsAMissingModel)
+{
+    auto options = tiny_network();
+    options.model_file = "/no/such/model.onnx";
+    EXPECT_THAT(construction_error(options), HasSubstr("/no/such/model.onnx"));
+    EXPECT_THAT(construction_error(options), HasSubstr("datasets-scripts/get-model.sh"));
+}
+
+TEST(GlobalDescriptor, RefusesAFileThatIsNoModel)
+{
+    const fild::testing::TemporaryFolder folder;
+    fild::testing::write_text(folder.path("model.onnx"), "not a model");
+    auto options = tiny_network();
+    options.model_file = folder.path("model.onnx");
+    EXPECT_THAT(construction_error(options), HasSubstr("cannot read " + options.model_file));
+}
+
+TEST(GlobalDescriptor, NamesALayerThatIsNotThere)
+{
+    auto options = tiny_network();
+    options.layers = "mapp";
+    EXPECT_THAT(construction_error(options), HasSubstr("no layer 'mapp'"));
+    EXPECT_THAT(construction_error(options), HasSubstr("vector"));
+}
+
+TEST(GlobalDescriptor, RefusesAModelOfAnotherDimension)
+{
+    auto options = tiny_network();
+    options.dimension = 1280;
+    EXPECT_THAT(construction_error(options),
+                HasSubstr("descriptors of 2 numbers, but dimension=1280"));
+}
+
+TEST(GlobalDescriptor, RefusesAGridFinerThanTheMap)
+{
+    auto options = tiny_network();
+    options.pooling = Pooling::grid;
+    options.grid_rows = 5;
+    EXPECT_THAT(construction_error(options), HasSubstr("5x2 is finer than the layer's map of 4x4"));
+}
+
+TEST(GlobalDescriptorOptions, CheckTheMean)
+{
+    TGlobalDescriptorOptions options;
+    EXPECT_NO_THROW(options.check());
+    for (const std::string mean : {"", "1 2", "1 x 3"})
+    {
+        options.mean = mean;
+        EXPECT_THROW(options.check(), std::invalid_argument) << mean;
+    }
+}
+
+TEST(FindModelFile, LooksInTheDataFolderForABareName)
+{
+    const fild::testing::TemporaryFolder folder;
+    ::setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
+    EXPECT_EQ(fild::find_model_file("no-such.onnx"), folder.path("mrpt-fild/no-such.onnx"));
+    EXPECT_EQ(fild::find_model_file("some/no-such.onnx"), "some/no-such.onnx");
+    ::setenv("XDG_DATA_HOME", "not/absolute", 1);  // to be ignored, says the XDG specification
+    ::setenv("HOME", "/home/nobody", 1);
+    EXPECT_EQ(fild::find_model_file("no-such.onnx"),
+              "/home/nobody/.local/share/mrpt-fild/no-such.onnx");
+}
+
+}  // namespace

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "drawn_drive.h"
+#include "rawlog/drawn_rawlog.h"
+#include "run_command.h"
+#include "temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mrpt/io/CFileGZOutputStream.h>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <fcntl.h>
+#include <filesystem>
+#include <sstream>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace
+{
+using fild::testing::Finished;
+using fild::testing::Objects;
+using fild::testing::read_text;
+using fild::testing::write_text;
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+namespace fs = std::filesystem;
+
+constexpr int kFramesPerLap = 8;
+
+/** The network of make_tiny_network.py tells little, so all earlier frames are candidates. */
+constexpr const char* kConfig =
+    "[global_descriptor]\nmodel_file = " FILD_TINY_NETWORK
+    "\nlayers = map\ninput_width = 4\ninput_height = 4\npooling = grid\n"
+    "[index]\ndelay_seconds = 5\ncandidates = 16\n"
+    "[hashing]\nmutual_check = true\n"
+    "[verification]\nmin_inlier_ratio = 0.6\n"
+    "[consistency]\nsure_inliers = 40\n";
+
+std::vector<std::string> lines_of(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+std::vector<std::string> fields_of(const std::string& line)
+{
+    std::vector<std::string> fields;
+    std::istringstream stream(line);
+    for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+    fields.resize(10);  // getline drops a last empty field
+    return fields;
+}
+
+/** The word in the `rejection` column of every frame; "loop" where there is none. */
+std::vector<std::string> verdicts_in(const std::string& frames_csv)
+{
+    std::vector<std::string> verdicts;
+    const auto lines = lines_of(frames_csv);
+    for (std::size_t i = 1; i < lines.size(); ++i)
+    {
+        const auto fields = fields_of(lines[i]);
+        verdicts.push_back(fields[8] == "1" ? "loop" : fields[9]);
+    }
+    return verdicts;
+}
+
+Objects two_laps(const std::string& label = "CAMERA1")
+{
+    Objects objects;
+    double seconds = 0;
+    for (const auto& image : fild::testing::draw_two_laps(kFramesPerLap))
+        objects.push_back(fild::testing::image_observation(image, seconds++, label));
+    return objects;
+}
+
+class RawlogLoopClosure : public ::testing::Test
+{
+ protected:
+    RawlogLoopClosure() { write_text(path("run.ini"), kConfig); }
+
+    std::string path(const std::string& name) const { return folder_.path(name); }
+
+    void write_rawlog(const Objects& objects) const
+    {
+        fild::testing::write_gz(path("run.rawlog"), objects);
+    }
+
+    static std::string app() { return "'" RAWLOG_LOOP_CLOSURE "' "; }
+
+    std::string arguments(const std::string& more = "", const std::string& output = "out") const
+    {
+        return "--rawlog '" + path("run.rawlog") + "' --config '" + path("run.ini") +
+               "' --output '" + path(output) + "' " + more;
+    }
+
+    Finished run(const std::string& more = "") const
+    {
+        return fild::testing::run_command(app() + arguments(more));
+    }
+
+    /** Expects a failure with one line on stderr; returns the line. */
+    std::string error(const std::string& more = "", int exit_code = 1) const
+    {
+        const auto finished = run("--quiet " + more);
+        EXPECT_EQ(finished.exit_code, exit_code) << finished.err;
+        EXPECT_THAT(finished.err, StartsWith("rawlog-loop-closure: "));
+        EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
+        return finished.err;
+    }
+
+    std::string frames_csv() const { return read_text(path("out/frames.csv")); }
+
+    nlohmann::json summary() const
+    {
+        return nlohmann::json::parse(read_text(path("out/summary.json")));
+    }
+
+    std::vector<std::string> output_names() const
+    {
+        std::vector<std::string> names;
+        if (!fs::exists(path("out"))) return names;
+        for (const auto& entry : fs::directory_iterator(path("out")))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+ private:
+    fild::testing::TemporaryFolder folder_;
+};
+
+const std::vector<std::string> kAllOutputs = {"frames.csv", "loops.csv", "matches", "summary.json"};
+
+TEST_F(RawlogLoopClosure, ShowsHelpAndVersion)
+{
+    const auto help = fild::testing::run_command(app() + "--help");
+    EXPECT_EQ(help.exit_code, 0);
+    for (const auto* flag :
+         {"--rawlog", "--config", "--output", "--set", "--max-frames", "--quiet"})
+        EXPECT_THAT(help.out, HasSubstr(flag));
+    const auto version = fild::testing::run_command(app() + "--version");
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_THAT(version.out, HasSubstr("0.1.0"));
+}
+
+TEST_F(RawlogLoopClosure, ExitsWithTwoOnWrongUsage)
+{
+    for (const std::string line : {"", "--rawlog x", "--no-such-flag"})
+    {
+        const auto finished = fild::testing::run_command(app() + line);
+        EXPECT_EQ(finished.exit_code, 2) << line;
+        EXPECT_THAT(finished.err, HasSubstr("see --help")) << line;
+    }
+    EXPECT_THAT(error("--max-frames 0", 2), HasSubstr("--max-frames"));
+}
+
+TEST_F(RawlogLoopClosure, FindsTheSecondLap)
+{
+    write_rawlog(two_laps());
+    const auto finished = run();
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_THAT(finished.out, StartsWith("16 frames, 8 loop closures"));
+    EXPECT_EQ(output_names(), kAllOutputs);
+
+    const auto rows = lines_of(frames_csv());
+    ASSERT_EQ(rows.size(), 17U);
+    for (int i = kFramesPerLap; i < 2 * kFramesPerLap; ++i)
+    {
+        const auto fields = fields_of(rows[static_cast<std::size_t>(i) + 1]);
+        EXPECT_EQ(fields[0], std::to_string(i));
+        EXPECT_EQ(fields[4], std::to_string(i - kFramesPerLap));
+        EXPECT_EQ(fields[8], "1");
+        EXPECT_TRUE(fs::exists(path("out/matches/" + fields[0] + "_" + fields[4] + ".png")));
+    }
+    EXPECT_EQ(lines_of(read_text(path("out/loops.csv"))).size(), 9U);
+    EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
+    EXPECT_TRUE(summary()["complete"].get<bool>());
+    EXPECT_EQ(summary()["model"]["sha256"].get<std::string>().size(), 64U);
+    EXPECT_TRUE(summary()["stage_times_ms"].contains("verification"));
+}
+
+TEST_F(RawlogLoopClosure, GivesTheSameBytesAgainAndWithTwoThreads)
+{
+    write_rawlog(two_laps());
+    ASSERT_EQ(run("--set runtime.num_threads=1").exit_code, 0);
+    const auto frames = frames_csv();
+    const auto loops = read_text(path("out/loops.csv"));
+    for (const std::string threads : {"1", "2"})
+    {
+        ASSERT_EQ(run("--set runtime.num_threads=" + threads).exit_code, 0);
+        EXPECT_EQ(frames_csv(), frames);
+        EXPECT_EQ(read_text(path("out/loops.csv")), loops);
+    }
+    ASSERT_EQ(run("--set runtime.seed=2").exit_code, 0);
+    EXPECT_NE(frames_csv(), frames);
+}
+
+TEST_F(RawlogLoopClosure, HonoursLimitsOfFramesAndPictures)
+{
+    write_rawlog(two_laps());
+    ASSERT_EQ(run("--max-frames 12 --set render.max_match_pictures=2").exit_code, 0);
+    EXPECT_EQ(lines_of(frames_csv()).size(), 13U);
+    EXPECT_EQ(summary()["frames"]["match_pictures"], 2);
+    EXPECT_EQ(std::distance(fs::directory_iterator(path("out/matches")), {}), 2);
+    ASSERT_EQ(run("--set render.max_match_pictures=0").exit_code, 0);
+    EXPECT_TRUE(fs::is_empty(path("out/matches")));  // those of the run before are gone
+}
+
+TEST_F(RawlogLoopClosure, NamesWhatIsWrongWithItsInputs)
+{
+    EXPECT_THAT(error(), HasSubstr("run.rawlog"));
+    write_text(path("run.rawlog"), "this is a text, not a rawlog");
+    EXPECT_THAT(error(), HasSubstr("run.rawlog"));
+    write_rawlog(two_laps());
+    EXPECT_THAT(error("--set index.serch_width=5"), HasSubstr("unknown key 'serch_width'"));
+    EXPECT_THAT(error("--set indx.search_width=5"), HasSubstr("unknown section [indx]"));
+    EXPECT_THAT(error("--set search_width=5"), HasSubstr("section.key=value"));
+    EXPECT_THAT(error("--set verification.min_inliers=lots"), HasSubstr("min_inliers='lots'"));
+    EXPECT_THAT(error("--set global_descriptor.model_file=/no/such.onnx"),
+                AllOf(HasSubstr("/no/such.onnx"), HasSubstr("get-model.sh")));
+    EXPECT_THAT(error("--set global_descriptor.dimension=640"),
+                AllOf(HasSubstr("descriptors of 8 numbers"), HasSubstr("dimension=640")));
+    EXPECT_EQ(output_names(), std::vector<std::string>{});
+}
+
+TEST_F(RawlogLoopClosure, ListsTheLabelsWhenNoneMatches)
+{
+    write_rawlog(two_laps("FRONT_LEFT"));
+    EXPECT_THAT(error("--set 'input.sensor_label=.*RIGHT'"),
+                AllOf(HasSubstr(".*RIGHT"), HasSubstr("FRONT_LEFT")));
+    EXPECT_EQ(output_names(), std::vector<std::string>{});
+}
+
+TEST_F(RawlogLoopClosure, KeepsTheResultsBeforeATruncation)
+{
+    write_rawlog(two_laps());
+    fs::resize_file(path("run.rawlog"), fs::file_size(path("run.rawlog")) * 3 / 4);
+    EXPECT_THAT(error(), AllOf(HasSubstr("run.rawlog"), HasSubstr("frames before are in")));
+    EXPECT_EQ(output_names(), kAllOutputs);
+    const auto rows = lines_of(frames_csv()).size();
+    EXPECT_GT(rows, 5U);
+    EXPECT_LT(rows, 17U);
+    EXPECT_FALSE(summary()["complete"].get<bool>());
+    EXPECT_THAT(summary()["ended_early"].get<std::string>(), HasSubstr("run.rawlog"));
+}
+
+TEST_F(RawlogLoopClosure, SkipsAMissingImageOrStops)
+{
+    auto objects = two_laps();
+    objects.insert(objects.begin() + 3, fild::testing::external_observation("gone.png", 2.5));
+    write_rawlog(objects);
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(verdicts_in(frames_csv())[3], "missing_image");
+    EXPECT_EQ(summary()["frames"]["rejections"]["missing_image"], 1);
+    EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
+    EXPECT_THAT(error("--set input.on_missing_image=stop"), HasSubstr("gone.png"));
+    EXPECT_EQ(lines_of(frames_csv()).size(), 4U);  // the header and three frames
+}
+
+TEST_F(RawlogLoopClosure, CountsWhatItCannotUse)
+{
+    using fild::testing::image_observation;
+    const cv::Mat black = cv::Mat::zeros(240, 320, CV_8UC1);
+    auto objects = two_laps();
+    objects.insert(objects.begin() + 2, image_observation(black, 1.5));
+    objects.insert(objects.begin() + 5, image_observation(cv::Mat::zeros(1, 1, CV_8UC1), 3.5));
+    objects.insert(objects.begin() + 6, image_observation(black, 3.5));
+    write_rawlog(objects);
+    ASSERT_EQ(run().exit_code, 0);
+    const auto verdicts = verdicts_in(frames_csv());
+    ASSERT_EQ(verdicts.size(), 19U);
+    EXPECT_EQ(verdicts[2], "too_early");
+    EXPECT_EQ(verdicts[5], "image_size_changed");
+    EXPECT_EQ(verdicts[6], "repeated_timestamp");
+    EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
+}
+
+TEST_F(RawlogLoopClosure, BearsImagesOfOnePixel)
+{
+    Objects objects;
+    for (int i = 0; i < 12; ++i)
+        objects.push_back(fild::testing::image_observation(cv::Mat::zeros(1, 1, CV_8UC3), i));
+    write_rawlog(objects);
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(verdicts_in(frames_csv()).back(), "too_few_matches");
+}
+
+TEST_F(RawlogLoopClosure, GoesOnWhenTheClockJumpsBack)
+{
+    Objects objects;
+    double seconds = 1000;
+    for (const auto& image : fild::testing::draw_two_laps(kFramesPerLap))
+    {
+        objects.push_back(fild::testing::image_observation(image, seconds++));
+        if (objects.size() == 4) seconds = 10;
+    }
+    write_rawlog(objects);
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(summary()["frames"]["clock_jumps"], 1);
+    EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
+}
+
+TEST_F(RawlogLoopClosure, LeavesNothingHalfWrittenWhenItCannotWrite)
+{
+    write_rawlog(two_laps());
+    write_text(path("file"), "");
+    const auto into_file = fild::testing::run_command(app() + arguments("-q", "file/out"));
+    EXPECT_EQ(into_file.exit_code, 1);
+    EXPECT_THAT(into_file.err, HasSubstr(path("file/out")));
+    // A limit of 512 bytes a file stands in for a full disk.
+    const auto full =
+        fild::testing::run_command("ulimit -f 1; trap '' XFSZ; " + app() + arguments("-q"));
+    EXPECT_EQ(full.exit_code, 1);
+    EXPECT_THAT(full.err, HasSubstr("disk full"));
+    EXPECT_THAT(output_names(), Each(Not(HasSubstr(".part"))));
+    EXPECT_FALSE(fs::exists(path("out/frames.csv")));
+}
+
+TEST_F(RawlogLoopClosure, RefusesAFolderThatAnotherRunHolds)
+{
+    write_rawlog(two_laps());
+    fs::create_directory(path("out"));
+    const int lock = ::open(path("out/.lock").c_str(), O_CREAT | O_RDWR, 0666);
+    ASSERT_EQ(::flock(lock, LOCK_EX), 0);
+    EXPECT_THAT(error(), HasSubstr("another run is writing into"));
+    ::close(lock);
+    EXPECT_EQ(run().exit_code, 0);
+}
+
+TEST_F(RawlogLoopClosure, KeepsTheResultsBeforeAnInterruption)
+{
+    Objects objects;
+    const auto images = fild::testing::draw_two_laps(kFramesPerLap);
+    for (int i = 0; i < 3000; ++i)
+        objects.push_back(fild::testing::image_observation(images[0], i));
+    write_rawlog(objects);
+    const auto finished = fild::testing::run_command("timeout --preserve-status --signal=INT 4 " +
+                                                     app() + arguments("-q"));
+    EXPECT_EQ(finished.exit_code, 1);
+    EXPECT_THAT(finished.err, HasSubstr("interrupted; the results of the"));
+    EXPECT_EQ(output_names(), kAllOutputs);
+    EXPECT_EQ(summary()["ended_early"], "interrupted");
+    EXPECT_GT(lines_of(frames_csv()).size(), 2U);
+}
+
+TEST_F(RawlogLoopClosure, LinksNoWxWidgets)
+{
+    const auto finished = fild::testing::run_command("ldd " + app());
+    EXPECT_THAT(finished.out, HasSubstr("libmrpt-obs"));
+    EXPECT_THAT(finished.out, Not(HasSubstr("libwx")));
+}
+
+}  // namespace

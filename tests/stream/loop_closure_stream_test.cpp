@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/stream/loop_closure_stream.h"
+
+#include "drawn_drive.h"
+#include "rawlog/drawn_rawlog.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/obs/CObservationOdometry.h>
+
+namespace
+{
+constexpr int kFramesPerLap = 8;
+
+fild::TLoopClosureStreamOptions options()
+{
+    fild::TLoopClosureStreamOptions result;
+    auto& network = result.detector.global_descriptor;
+    network.model_file = FILD_TINY_NETWORK;
+    network.layers = "map";
+    network.input_width = 4;
+    network.input_height = 4;
+    result.detector.index.delay_seconds = 5;
+    result.detector.index.candidates = 2 * kFramesPerLap;
+    result.detector.hashing.mutual_check = true;
+    result.detector.consistency.consecutive_frames = 1;
+    return result;
+}
+
+TEST(LoopClosureStream, GivesAVerdictForEveryCameraFrame)
+{
+    fild::LoopClosureStream stream(options());
+    const auto images = fild::testing::draw_two_laps(kFramesPerLap);
+    std::size_t loops = 0;
+    for (std::size_t i = 0; i < images.size(); ++i)
+    {
+        const auto observation =
+            fild::testing::image_observation(images[i], static_cast<double>(i));
+        const auto outcome = stream.feed(*observation);
+        ASSERT_TRUE(outcome.has_value());
+        EXPECT_EQ(to_index(outcome->verdict.frame), i);
+        if (!outcome->verdict.accepted()) continue;
+        ++loops;
+        EXPECT_EQ(to_index(outcome->verdict.candidate->frame) + kFramesPerLap, i);
+    }
+    EXPECT_EQ(loops, static_cast<std::size_t>(kFramesPerLap));
+    EXPECT_EQ(stream.times().statistics().at("whole_frame").calls, images.size());
+    EXPECT_GT(stream.detector().map_bytes(), 0U);
+}
+
+TEST(LoopClosureStream, PassesOverOtherObservations)
+{
+    fild::LoopClosureStream stream(options());
+    mrpt::obs::CObservationOdometry odometry;
+    odometry.sensorLabel = "ODOMETRY";
+    EXPECT_FALSE(stream.feed(odometry).has_value());
+    const auto first =
+        fild::testing::image_observation(fild::testing::draw_wall(64, 48, 1), 0, "FIRST_CAMERA");
+    EXPECT_TRUE(stream.feed(*first).has_value());
+    const auto second =
+        fild::testing::image_observation(fild::testing::draw_wall(64, 48, 1), 1, "SECOND_CAMERA");
+    EXPECT_FALSE(stream.feed(*second).has_value());
+    EXPECT_EQ(stream.frames().ignored_camera_labels(), std::vector<std::string>{"SECOND_CAMERA"});
+}
+
+}  // namespace
