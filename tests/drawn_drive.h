@@ -32,15 +32,16 @@ inline cv::Mat draw_wall(int width, int height, std::uint64_t seed)
 
 /** A camera that drives along a wall `frames` steps, and then once more from the start, a little
  *  further to the side: frame frames + i shows what frame i shows. */
-inline std::vector<cv::Mat> draw_two_laps(int frames, cv::Size size = {320, 240})
+inline std::vector<cv::Mat> draw_two_laps(std::size_t frames, cv::Size size = {320, 240})
 {
-    const int step = 80;
-    const auto wall = draw_wall(step * frames + size.width + 40, size.height + 20, 1);
+    constexpr int kStep = 80;
+    const int count = static_cast<int>(frames);
+    const auto wall = draw_wall(kStep * count + size.width + 40, size.height + 20, 1);
     std::vector<cv::Mat> images;
     for (int lap = 0; lap < 2; ++lap)
-        for (int i = 0; i < frames; ++i)
+        for (int i = 0; i < count; ++i)
             images.push_back(
-                wall(cv::Rect(step * i + 7 * lap, 4 * lap, size.width, size.height)).clone());
+                wall(cv::Rect(kStep * i + 7 * lap, 4 * lap, size.width, size.height)).clone());
     return images;
 }
 

@@ -2,16 +2,28 @@
 #include "interruption.h"
 
 #include <csignal>
+#include <ctime>
 #include <initializer_list>
 
 namespace fild
 {
 namespace
 {
-volatile std::sig_atomic_t stop_asked = 0;  // a signal handler can reach nothing but a global
+constexpr std::time_t kSecondsOfPatience = 2;
 
-void ask_to_stop(int)
+volatile std::sig_atomic_t stop_asked = 0;  // a signal handler can reach nothing but a global
+volatile std::time_t first_asked = 0;
+
+/** Calls only what POSIX allows in a signal handler. */
+void ask_to_stop(int signal)
 {
+    const auto now = std::time(nullptr);
+    if (stop_asked != 0 && now - first_asked >= kSecondsOfPatience)
+    {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
+    if (stop_asked == 0) first_asked = now;
     stop_asked = 1;
 }
 }  // namespace
@@ -20,7 +32,6 @@ void catch_interruption()
 {
     struct sigaction action = {};
     action.sa_handler = ask_to_stop;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
     for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 

@@ -14,9 +14,11 @@ ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), on_terminal_(::isatty(ST
 
 void ProgressLine::update(double fraction, std::size_t frames, std::size_t loops)
 {
+    if (first_fraction_ < 0) first_fraction_ = fraction;
     if (quiet_ || !is_due(fraction)) return;
     const double elapsed = seconds();
-    const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
+    const double done = fraction - first_fraction_;
+    const double left = done > 0 ? elapsed * (1 - fraction) / done : 0;
     std::fprintf(stderr,
                  "%s%3.0f %%  frame %zu  %.1f frames/s  %zu loop closures  %.0f s left%s",
                  on_terminal_ ? "\r\033[K" : "",

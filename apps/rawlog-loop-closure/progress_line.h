@@ -27,6 +27,7 @@ class ProgressLine
     bool on_terminal_;
     bool written_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double first_fraction_ = -1;  ///< of the first update: a block of the rawlog is read ahead
     double next_seconds_ = 0;
     double next_fraction_ = 0.05;
 };

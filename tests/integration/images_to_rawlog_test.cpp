@@ -2,16 +2,17 @@
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/rawlog_reader.h"
 #include "message_of.h"
+#include "run_command.h"
 #include "temporary_folder.h"
 
 #include <mrpt/obs/CObservation.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include <sys/wait.h>
-
 namespace
 {
+using fild::testing::Finished;
 using fild::testing::read_text;
+using fild::testing::run_command;
 using fild::testing::TemporaryFolder;
 using fild::testing::write_text;
 using ::testing::AllOf;
@@ -20,26 +21,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
-
-struct Finished
-{
-    int exit_code = -1;
-    std::string out;
-    std::string err;
-};
-
-/** Runs a shell command line. */
-Finished run_command(const std::string& line)
-{
-    const TemporaryFolder folder;
-    const auto redirected =
-        line + " >'" + folder.path("out") + "' 2>'" + folder.path("err") + "' </dev/null";
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): one thread, and the shell does the redirections
-    const int status = std::system(redirected.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-            read_text(folder.path("out")),
-            read_text(folder.path("err"))};
-}
 
 /** A folder with three images, where the app is run. */
 class ImagesToRawlog : public ::testing::Test

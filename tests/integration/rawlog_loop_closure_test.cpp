@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "drawn_drive.h"
+#include "frames_csv.h"
 #include "rawlog/drawn_rawlog.h"
 #include "run_command.h"
 #include "temporary_folder.h"
@@ -13,13 +14,13 @@
 #include <algorithm>
 #include <fcntl.h>
 #include <filesystem>
-#include <sstream>
 #include <sys/file.h>
 #include <unistd.h>
 
 namespace
 {
 using fild::testing::Finished;
+using fild::testing::lines_of;
 using fild::testing::Objects;
 using fild::testing::read_text;
 using fild::testing::write_text;
@@ -30,7 +31,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
-constexpr int kFramesPerLap = 8;
+constexpr std::size_t kFramesPerLap = 8;
 
 /** The network of make_tiny_network.py tells little, so all earlier frames are candidates. */
 constexpr const char* kConfig =
@@ -40,36 +41,6 @@ constexpr const char* kConfig =
     "[hashing]\nmutual_check = true\n"
     "[verification]\nmin_inlier_ratio = 0.6\n"
     "[consistency]\nsure_inliers = 40\n";
-
-std::vector<std::string> lines_of(const std::string& text)
-{
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
-std::vector<std::string> fields_of(const std::string& line)
-{
-    std::vector<std::string> fields;
-    std::istringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-    fields.resize(10);  // getline drops a last empty field
-    return fields;
-}
-
-/** The word in the `rejection` column of every frame; "loop" where there is none. */
-std::vector<std::string> verdicts_in(const std::string& frames_csv)
-{
-    std::vector<std::string> verdicts;
-    const auto lines = lines_of(frames_csv);
-    for (std::size_t i = 1; i < lines.size(); ++i)
-    {
-        const auto fields = fields_of(lines[i]);
-        verdicts.push_back(fields[8] == "1" ? "loop" : fields[9]);
-    }
-    return verdicts;
-}
 
 Objects two_laps(const std::string& label = "CAMERA1")
 {
@@ -116,6 +87,11 @@ class RawlogLoopClosure : public ::testing::Test
     }
 
     std::string frames_csv() const { return read_text(path("out/frames.csv")); }
+
+    std::vector<fild::testing::FrameRow> rows() const
+    {
+        return fild::testing::read_frames_csv(path("out/frames.csv"));
+    }
 
     nlohmann::json summary() const
     {
@@ -169,15 +145,15 @@ TEST_F(RawlogLoopClosure, FindsTheSecondLap)
     EXPECT_THAT(finished.out, StartsWith("16 frames, 8 loop closures"));
     EXPECT_EQ(output_names(), kAllOutputs);
 
-    const auto rows = lines_of(frames_csv());
-    ASSERT_EQ(rows.size(), 17U);
-    for (int i = kFramesPerLap; i < 2 * kFramesPerLap; ++i)
+    const auto all = rows();
+    ASSERT_EQ(all.size(), 2U * kFramesPerLap);
+    for (std::size_t i = kFramesPerLap; i < all.size(); ++i)
     {
-        const auto fields = fields_of(rows[static_cast<std::size_t>(i) + 1]);
-        EXPECT_EQ(fields[0], std::to_string(i));
-        EXPECT_EQ(fields[4], std::to_string(i - kFramesPerLap));
-        EXPECT_EQ(fields[8], "1");
-        EXPECT_TRUE(fs::exists(path("out/matches/" + fields[0] + "_" + fields[4] + ".png")));
+        EXPECT_EQ(all[i].frame, i);
+        EXPECT_EQ(all[i].candidate, i - kFramesPerLap);
+        EXPECT_TRUE(all[i].accepted);
+        const auto name = std::to_string(i) + "_" + std::to_string(i - kFramesPerLap) + ".png";
+        EXPECT_FALSE(cv::imread(path("out/matches/" + name)).empty()) << name;
     }
     EXPECT_EQ(lines_of(read_text(path("out/loops.csv"))).size(), 9U);
     EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
@@ -257,7 +233,7 @@ TEST_F(RawlogLoopClosure, SkipsAMissingImageOrStops)
     objects.insert(objects.begin() + 3, fild::testing::external_observation("gone.png", 2.5));
     write_rawlog(objects);
     ASSERT_EQ(run().exit_code, 0);
-    EXPECT_EQ(verdicts_in(frames_csv())[3], "missing_image");
+    EXPECT_EQ(rows()[3].rejection, "missing_image");
     EXPECT_EQ(summary()["frames"]["rejections"]["missing_image"], 1);
     EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
     EXPECT_THAT(error("--set input.on_missing_image=stop"), HasSubstr("gone.png"));
@@ -274,11 +250,11 @@ TEST_F(RawlogLoopClosure, CountsWhatItCannotUse)
     objects.insert(objects.begin() + 6, image_observation(black, 3.5));
     write_rawlog(objects);
     ASSERT_EQ(run().exit_code, 0);
-    const auto verdicts = verdicts_in(frames_csv());
-    ASSERT_EQ(verdicts.size(), 19U);
-    EXPECT_EQ(verdicts[2], "too_early");
-    EXPECT_EQ(verdicts[5], "image_size_changed");
-    EXPECT_EQ(verdicts[6], "repeated_timestamp");
+    const auto all = rows();
+    ASSERT_EQ(all.size(), 19U);
+    EXPECT_EQ(all[2].rejection, "too_early");
+    EXPECT_EQ(all[5].rejection, "image_size_changed");
+    EXPECT_EQ(all[6].rejection, "repeated_timestamp");
     EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
 }
 
@@ -289,7 +265,7 @@ TEST_F(RawlogLoopClosure, BearsImagesOfOnePixel)
         objects.push_back(fild::testing::image_observation(cv::Mat::zeros(1, 1, CV_8UC3), i));
     write_rawlog(objects);
     ASSERT_EQ(run().exit_code, 0);
-    EXPECT_EQ(verdicts_in(frames_csv()).back(), "too_few_matches");
+    EXPECT_EQ(rows().back().rejection, "too_few_matches");
 }
 
 TEST_F(RawlogLoopClosure, GoesOnWhenTheClockJumpsBack)

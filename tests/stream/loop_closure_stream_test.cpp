@@ -3,13 +3,16 @@
 
 #include "drawn_drive.h"
 #include "rawlog/drawn_rawlog.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservationOdometry.h>
 
+#include <filesystem>
+
 namespace
 {
-constexpr int kFramesPerLap = 8;
+constexpr std::size_t kFramesPerLap = 8;
 
 fild::TLoopClosureStreamOptions options()
 {
@@ -20,7 +23,7 @@ fild::TLoopClosureStreamOptions options()
     network.input_width = 4;
     network.input_height = 4;
     result.detector.index.delay_seconds = 5;
-    result.detector.index.candidates = 2 * kFramesPerLap;
+    result.detector.index.candidates = static_cast<int>(2 * kFramesPerLap);
     result.detector.hashing.mutual_check = true;
     result.detector.consistency.consecutive_frames = 1;
     return result;
@@ -42,7 +45,7 @@ TEST(LoopClosureStream, GivesAVerdictForEveryCameraFrame)
         ++loops;
         EXPECT_EQ(to_index(outcome->verdict.candidate->frame) + kFramesPerLap, i);
     }
-    EXPECT_EQ(loops, static_cast<std::size_t>(kFramesPerLap));
+    EXPECT_EQ(loops, kFramesPerLap);
     EXPECT_EQ(stream.times().statistics().at("whole_frame").calls, images.size());
     EXPECT_GT(stream.detector().map_bytes(), 0U);
 }
@@ -60,6 +63,30 @@ TEST(LoopClosureStream, PassesOverOtherObservations)
         fild::testing::image_observation(fild::testing::draw_wall(64, 48, 1), 1, "SECOND_CAMERA");
     EXPECT_FALSE(stream.feed(*second).has_value());
     EXPECT_EQ(stream.frames().ignored_camera_labels(), std::vector<std::string>{"SECOND_CAMERA"});
+}
+
+TEST(LoadStreamOptions, TakesEveryShippedConfiguration)
+{
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(FILD_SOURCE_DIR "/config-ini"))
+    {
+        ++files;
+        auto loaded = fild::load_stream_options(entry.path().string());
+        EXPECT_EQ(loaded.detector.verification.min_inliers, 20) << entry.path();
+        for (const auto& [name, section] : loaded.sections())
+            EXPECT_NO_THROW(section->check()) << entry.path() << " [" << name << "]";
+    }
+    EXPECT_GE(files, 6U);
+}
+
+TEST(LoadStreamOptions, RefusesSectionsThatNobodyReads)
+{
+    const fild::testing::TemporaryFolder folder;
+    const auto path = folder.path("run.ini");
+    fild::testing::write_text(path, "[render]\nmax_match_pictures = 3\n[runtime]\nseed = 7\n");
+    EXPECT_EQ(fild::load_stream_options(path).detector.runtime.seed, 7);
+    fild::testing::write_text(path, "[rendr]\nmax_match_pictures = 3\n");
+    EXPECT_THROW(fild::load_stream_options(path), std::runtime_error);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace fild
 {
 namespace
 {
-constexpr unsigned kBufferBytes = 1U << 16U;
+constexpr unsigned kBufferBytes = 1U << 11U;  // small, so that progress shows in small files too
 /** zlib counts in int. */
 constexpr std::size_t kMaxBlockBytes = std::size_t{1} << 30U;
 
