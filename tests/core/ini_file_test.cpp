@@ -86,6 +86,19 @@ TEST_F(IniFile, LoadsTheSectionsThatAreThere)
     EXPECT_EQ(b.x, 7);
 }
 
+TEST_F(IniFile, PassesOverTheSectionsOfOtherReaders)
+{
+    TNumberOptions a;
+    fild::load_sections(load("[a]\nx=7\n[other]\ny=1\n"), {{"a", &a}}, {"other"});
+    EXPECT_EQ(a.x, 7);
+    const auto config = load("[othr]\ny=1\n");
+    EXPECT_THAT(message_of<std::runtime_error>(
+                    [&] {
+                        fild::load_sections(config, {{"a", &a}}, {"other"});
+                    }),
+                HasSubstr("unknown section [othr]; known sections: [a] [other]"));
+}
+
 TEST_F(IniFile, NamesUnknownSections)
 {
     TNumberOptions a;

@@ -111,14 +111,17 @@ void apply_overrides(mrpt::config::CConfigFileMemory& config,
 }
 
 void load_sections(const mrpt::config::CConfigFileBase& config,
-                   const std::vector<std::pair<std::string, Options*>>& sections)
+                   const std::vector<std::pair<std::string, Options*>>& sections,
+                   const std::vector<std::string>& passed_over)
 {
     std::string known;
     for (const auto& [name, options] : sections) known.append(" [").append(name).append("]");
+    for (const auto& name : passed_over) known.append(" [").append(name).append("]");
     std::vector<std::string> present;
     config.getAllSections(present);
     for (const auto& name : present)
     {
+        if (std::count(passed_over.begin(), passed_over.end(), name) > 0) continue;
         const auto matches = [&](const auto& section) { return section.first == name; };
         const auto section = std::find_if(sections.begin(), sections.end(), matches);
         if (section == sections.end())

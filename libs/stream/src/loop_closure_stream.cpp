@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/stream/loop_closure_stream.h"
 
+#include "fild/core/ini_file.h"
+
 #include <mrpt/obs/CObservation.h>
 
 namespace fild
@@ -10,6 +12,13 @@ std::vector<std::pair<std::string, Options*>> TLoopClosureStreamOptions::section
     std::vector<std::pair<std::string, Options*>> all = {{"input", &input}};
     for (const auto& section : detector.sections()) all.push_back(section);
     return all;
+}
+
+TLoopClosureStreamOptions load_stream_options(const std::string& ini_path)
+{
+    TLoopClosureStreamOptions options;
+    load_sections(load_ini_file(ini_path), options.sections(), {"render"});
+    return options;
 }
 
 LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,

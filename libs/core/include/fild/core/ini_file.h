@@ -24,9 +24,11 @@ void apply_overrides(mrpt::config::CConfigFileMemory& config,
                      const std::vector<std::string>& overrides);
 
 /** Loads every section that is there into its options, refusing sections that none is for.
+ *  \param passed_over  sections that another reader of the same file is for: not looked into.
  *  \throw std::runtime_error naming the unknown section and the known ones, or as
  *         Options::loadFromConfigFile. */
 void load_sections(const mrpt::config::CConfigFileBase& config,
-                   const std::vector<std::pair<std::string, Options*>>& sections);
+                   const std::vector<std::pair<std::string, Options*>>& sections,
+                   const std::vector<std::string>& passed_over = {});
 
 }  // namespace fild

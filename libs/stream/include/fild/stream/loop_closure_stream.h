@@ -30,9 +30,14 @@ struct TLoopClosureStreamOptions
     std::vector<std::pair<std::string, Options*>> sections();
 };
 
+/** The options of a stream out of an .ini file of rawlog-loop-closure, such as those in config-ini;
+ *  sections for that app alone ([render]) are passed over.
+ *  \throw std::runtime_error as load_ini_file() and load_sections(). */
+TLoopClosureStreamOptions load_stream_options(const std::string& ini_path);
+
 /** Finds loop closures in a stream of MRPT observations, fed one by one as on a robot.
  *  \code
- *  fild::LoopClosureStream stream(options);
+ *  fild::LoopClosureStream stream(fild::load_stream_options("default.ini"));
  *  if (const auto outcome = stream.feed(*observation); outcome && outcome->verdict.accepted())
  *      std::cout << "back at frame " << to_index(outcome->verdict.candidate->frame) << "\n";
  *  \endcode
