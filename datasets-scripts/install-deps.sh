@@ -11,11 +11,13 @@ only its tests need. Asks for sudo when not root, and for nothing when all are t
 packages=(
   g++ cmake ninja-build                 # to build
   libmrpt-common-dev libmrpt-config-dev libmrpt-img-dev libmrpt-io-dev libmrpt-obs-dev
-  libmrpt-poses-dev libmrpt-serialization-dev libmrpt-system-dev libmrpt-tclap-dev
+  libmrpt-maps-dev libmrpt-poses-dev libmrpt-serialization-dev libmrpt-system-dev
+  libmrpt-tclap-dev
   libopencv-dev                         # images, network inference, fundamental matrix
   libhnswlib-dev                        # proximity graph
   nlohmann-json3-dev                    # summary.json
   libssl-dev                            # checksum of the model
+  zlib1g-dev                            # gzipped rawlogs
   python3 python3-numpy python3-onnx python3-flatbuffers   # get-model.sh converts the model
 )
 test_packages=(
