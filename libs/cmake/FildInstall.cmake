@@ -14,3 +14,7 @@ install(FILES
   libs/cmake/Findhnswlib.cmake
   DESTINATION ${FILD_CMAKE_DIR})
 install(DIRECTORY config-ini DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild)
+# Error messages name datasets-scripts/get-model.sh: whoever installed has it too.
+install(PROGRAMS datasets-scripts/get-model.sh datasets-scripts/tflite_to_onnx.py
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild/datasets-scripts)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
