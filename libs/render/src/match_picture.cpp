@@ -22,8 +22,8 @@ struct Layout
 {
     cv::Rect query;
     cv::Rect candidate;
-    int caption_top;
-    int caption_height;
+    int caption_top = 0;
+    int caption_height = 0;
     cv::Size size;
 };
 
