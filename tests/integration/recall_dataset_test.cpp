@@ -77,9 +77,13 @@ class Corridor : public ::testing::Test
         const auto missing = missing_of(
             {kData + "/corridor/loops.txt", fild::find_model_file("mobilenet_v2_objectron.onnx")});
         if (!missing.empty()) GTEST_SKIP() << missing << " is missing";
-        std::istringstream words(read_text(kData + "/corridor/loops.txt"));
-        for (std::size_t query = 0, match = 0; words >> query >> match;)
-            truth_[query].insert(match);
+        for (const auto& line : lines_of(read_text(kData + "/corridor/loops.txt")))
+        {
+            std::istringstream words(line);  // a comment has no number to read
+            std::size_t query = 0;
+            std::size_t match = 0;
+            if (words >> query >> match) truth_[query].insert(match);
+        }
         ASSERT_EQ(truth_.size(), 44U);
     }
 
