@@ -73,94 +73,75 @@ class BucketTables
     std::uint32_t round_ = 0;
 };
 
-/** The two nearest candidate codes of every query code, and who is nearest to each candidate code.
- */
-class NearestTwo
+/** The two nearest of the codes that a code was compared with. */
+struct NearestTwo
 {
- public:
-    NearestTwo(std::size_t queries, std::size_t candidates) : nearest_(queries), back_(candidates)
-    {
-    }
+    int bits = kNone;
+    int second_bits = kNone;
+    std::size_t index = 0;
 
-    void compare(std::size_t q, std::size_t c, int bits)
+    void compare(std::size_t i, int distance_bits)
     {
-        auto& nearest = nearest_[q];
-        if (bits < nearest.bits)
+        if (distance_bits > second_bits) return;
+        if (distance_bits < bits || (distance_bits == bits && i < index))
         {
-            nearest.second_bits = nearest.bits;
-            nearest.bits = bits;
-            nearest.index = c;
+            second_bits = bits;
+            bits = distance_bits;
+            index = i;
         }
-        else if (bits == nearest.bits && c < nearest.index)
-        {
-            nearest.second_bits = bits;
-            nearest.index = c;
-        }
-        else if (bits < nearest.second_bits)
-            nearest.second_bits = bits;
-        if (bits < back_[c].bits) back_[c] = {bits, q};
+        else
+            second_bits = distance_bits;
     }
-
-    std::vector<Match> pass_ratio_test(double ratio, bool mutual_check) const
-    {
-        std::vector<Match> matches;
-        for (std::size_t q = 0; q < nearest_.size(); ++q)
-        {
-            const auto& nearest = nearest_[q];
-            if (nearest.second_bits == kNone) continue;
-            if (!passes_ratio_test(nearest.bits, nearest.second_bits, ratio)) continue;
-            if (mutual_check && back_[nearest.index].index != q) continue;
-            matches.push_back({q, nearest.index, nearest.bits});
-        }
-        return matches;
-    }
-
- private:
-    struct Two
-    {
-        int bits = kNone;
-        int second_bits = kNone;
-        std::size_t index = 0;
-    };
-    struct One
-    {
-        int bits = kNone;
-        std::size_t index = 0;
-    };
-    std::vector<Two> nearest_;  ///< of every query code
-    std::vector<One> back_;  ///< of every candidate code
 };
 
-NearestTwo compare_all(const BinaryCodes& query, const BinaryCodes& candidate)
+NearestTwo nearest_of_all(const std::uint64_t* code, const BinaryCodes& others)
 {
-    NearestTwo nearest(query.size(), candidate.size());
-    const auto words = static_cast<std::size_t>(query.words_per_code);
-    std::vector<int> distances(candidate.size());
-    for (std::size_t q = 0; q < query.size(); ++q)
+    std::vector<int> distances(others.size());
+    hamming_distances(code,
+                      others.words.data(),
+                      static_cast<std::size_t>(others.words_per_code),
+                      others.size(),
+                      distances.data());
+    NearestTwo nearest;
+    for (std::size_t i = 0; i < distances.size(); ++i) nearest.compare(i, distances[i]);
+    return nearest;
+}
+
+NearestTwo nearest_of(const std::uint64_t* code,
+                      const BinaryCodes& others,
+                      const std::vector<std::uint32_t>& subset)
+{
+    NearestTwo nearest;
+    for (const auto i : subset)
     {
+        int bits = 0;
         hamming_distances(
-            query.code(q), candidate.words.data(), words, candidate.size(), distances.data());
-        for (std::size_t c = 0; c < distances.size(); ++c) nearest.compare(q, c, distances[c]);
+            code, others.code(i), static_cast<std::size_t>(others.words_per_code), 1, &bits);
+        nearest.compare(i, bits);
     }
     return nearest;
 }
 
-NearestTwo compare_within_buckets(const BinaryCodes& query, const BinaryCodes& candidate)
+/** For each query code its two nearest among the candidate codes that the search looks at. */
+std::vector<NearestTwo> nearest_candidates(const BinaryCodes& query,
+                                           const BinaryCodes& candidate,
+                                           CodeSearch search)
 {
-    NearestTwo nearest(query.size(), candidate.size());
-    const auto words = static_cast<std::size_t>(query.words_per_code);
+    std::vector<NearestTwo> nearest;
+    nearest.reserve(query.size());
+    if (search == CodeSearch::exhaustive)
+    {
+        for (std::size_t q = 0; q < query.size(); ++q)
+            nearest.push_back(nearest_of_all(query.code(q), candidate));
+        return nearest;
+    }
     BucketTables tables(candidate);
     std::vector<std::uint32_t> found;
     for (std::size_t q = 0; q < query.size(); ++q)
     {
         found.clear();
         tables.collect(query, q, found);
-        for (const auto c : found)
-        {
-            int bits = 0;
-            hamming_distances(query.code(q), candidate.code(c), words, 1, &bits);
-            nearest.compare(q, c, bits);
-        }
+        nearest.push_back(nearest_of(query.code(q), candidate, found));
     }
     return nearest;
 }
@@ -185,9 +166,16 @@ CodeMatcher::CodeMatcher(const THashingOptions& options)
 std::vector<Match> CodeMatcher::match(const BinaryCodes& query, const BinaryCodes& candidate) const
 {
     require_comparable(query, candidate, search_);
-    const auto nearest = search_ == CodeSearch::cascade ? compare_within_buckets(query, candidate)
-                                                        : compare_all(query, candidate);
-    return nearest.pass_ratio_test(ratio_, mutual_check_);
+    std::vector<Match> matches;
+    const auto nearest = nearest_candidates(query, candidate, search_);
+    for (std::size_t q = 0; q < nearest.size(); ++q)
+    {
+        const auto& [bits, second_bits, index] = nearest[q];
+        if (second_bits == kNone || !passes_ratio_test(bits, second_bits, ratio_)) continue;
+        if (mutual_check_ && nearest_of_all(candidate.code(index), query).index != q) continue;
+        matches.push_back({q, index, bits});
+    }
+    return matches;
 }
 
 }  // namespace fild

@@ -18,11 +18,11 @@ class CodeMatcher
     explicit CodeMatcher(const THashingOptions& options);
 
     /** Matches in order of the query's features; a feature of the query stands in at most one, with
-     *  mutual_check a feature of the candidate too. A query code that meets fewer than two
-     * candidate codes is not matched: the ratio test has nothing to compare with. Deterministic:
-     * among equal distances the lower index wins. Costs query.size() x candidate.size() code
-     * comparisons. \throw std::invalid_argument when the codes differ in length or lack the hash
-     * tables. */
+     *  mutual_check (each the other's nearest of all) a feature of the candidate too. A query code
+     * that meets fewer than two candidate codes is not matched: the ratio test has nothing to
+     * compare with. Deterministic: among equal distances the lower index wins. Costs query.size() x
+     * candidate.size() code comparisons. \throw std::invalid_argument when the codes differ in
+     * length or lack the hash tables. */
     std::vector<Match> match(const BinaryCodes& query, const BinaryCodes& candidate) const;
 
  private:
