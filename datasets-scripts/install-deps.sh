@@ -18,7 +18,7 @@ packages=(
   nlohmann-json3-dev                    # summary.json
   libssl-dev                            # checksum of the model
   zlib1g-dev                            # gzipped rawlogs
-  python3 python3-numpy python3-onnx python3-flatbuffers   # get-model.sh converts the model
+  ca-certificates python3 python3-numpy python3-onnx python3-flatbuffers   # get-model.sh
 )
 test_packages=(
   libgtest-dev libgmock-dev             # unit tests
