@@ -19,6 +19,18 @@ step "build (preset dev, warnings are errors)"
 cmake --preset dev > /dev/null
 cmake --build --preset dev
 
+step "clang-tidy"
+run-clang-tidy -quiet -p build/dev -extra-arg=-Wno-unknown-warning-option \
+  "$PWD/(libs|apps|tests)/.*\.cpp" > build/tidy.log 2>&1 || {
+  grep -A5 'error:' build/tidy.log >&2
+  exit 1
+}
+
 step "tests (preset dev)"
 ctest --preset dev --parallel 2
+step "build and unit tests (preset asan)"
+cmake --preset asan > /dev/null
+cmake --build --preset asan
+ctest --preset asan --parallel 2 --label-exclude dataset
+
 step "done"

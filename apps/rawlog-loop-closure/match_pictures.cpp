@@ -40,7 +40,7 @@ class CandidateImages
     cv::Mat take(FrameId frame)
     {
         auto& entry = waiting_.at(frame);
-        const cv::Mat image = cv::imdecode(entry.jpeg, cv::IMREAD_UNCHANGED);
+        cv::Mat image = cv::imdecode(entry.jpeg, cv::IMREAD_UNCHANGED);
         if (--entry.pictures == 0) waiting_.erase(frame);
         return image;
     }
@@ -58,6 +58,7 @@ std::vector<LoopPicture> chosen_loops(const std::vector<LoopPicture>& loops,
                                       const TRenderOptions& options)
 {
     std::vector<FrameVerdict> verdicts;
+    verdicts.reserve(loops.size());
     for (const auto& loop : loops) verdicts.push_back(loop.verdict);
     std::vector<LoopPicture> chosen;
     for (const auto i : choose_match_pictures(verdicts, options)) chosen.push_back(loops[i]);

@@ -80,6 +80,7 @@ std::vector<fild::DetectorOutcome> drive(const fild::TDetectorOptions& options,
 std::vector<Rejection> rejections(const std::vector<fild::DetectorOutcome>& outcomes)
 {
     std::vector<Rejection> result;
+    result.reserve(outcomes.size());
     for (const auto& outcome : outcomes) result.push_back(outcome.verdict.rejection);
     return result;
 }

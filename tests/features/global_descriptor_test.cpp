@@ -43,11 +43,12 @@ cv::Mat two_halves(const cv::Scalar& left, const cv::Scalar& right)
     return image;
 }
 
-std::vector<float> unit(std::vector<double> values)
+std::vector<float> unit(const std::vector<double>& values)
 {
     double squares = 0;
     for (const auto x : values) squares += x * x;
     std::vector<float> result;
+    result.reserve(values.size());
     for (const auto x : values) result.push_back(static_cast<float>(x / std::sqrt(squares)));
     return result;
 }
@@ -193,14 +194,19 @@ TEST(GlobalDescriptorOptions, CheckTheMean)
     }
 }
 
+void set_variable(const char* name, const std::string& value)
+{
+    ::setenv(name, value.c_str(), 1);  // NOLINT(concurrency-mt-unsafe): tests have one thread
+}
+
 TEST(FindModelFile, LooksInTheDataFolderForABareName)
 {
     const fild::testing::TemporaryFolder folder;
-    ::setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
+    set_variable("XDG_DATA_HOME", folder.path());
     EXPECT_EQ(fild::find_model_file("no-such.onnx"), folder.path("mrpt-fild/no-such.onnx"));
     EXPECT_EQ(fild::find_model_file("some/no-such.onnx"), "some/no-such.onnx");
-    ::setenv("XDG_DATA_HOME", "not/absolute", 1);  // to be ignored, says the XDG specification
-    ::setenv("HOME", "/home/nobody", 1);
+    set_variable("XDG_DATA_HOME", "not/absolute");  // to be ignored, says the XDG specification
+    set_variable("HOME", "/home/nobody");
     EXPECT_EQ(fild::find_model_file("no-such.onnx"),
               "/home/nobody/.local/share/mrpt-fild/no-such.onnx");
 }

@@ -49,6 +49,7 @@ std::vector<double> brute_force(const std::vector<GlobalDescriptor>& all,
                                 std::size_t count)
 {
     std::vector<double> similarities;
+    similarities.reserve(all.size());
     for (const auto& vector : all) similarities.push_back(cosine(vector, query));
     std::sort(similarities.rbegin(), similarities.rend());
     similarities.resize(std::min(count, similarities.size()));

@@ -47,6 +47,7 @@ BinaryCodes hash(const fild::LocalFeatures& features, fild::CodeSearch search)
 std::vector<std::pair<std::size_t, std::size_t>> pairs(const std::vector<Match>& matches)
 {
     std::vector<std::pair<std::size_t, std::size_t>> result;
+    result.reserve(matches.size());
     for (const auto& match : matches) result.emplace_back(match.query, match.candidate);
     return result;
 }

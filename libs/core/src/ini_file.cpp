@@ -83,6 +83,11 @@ class StrictCopier
     std::string section_;
     std::set<std::string> seen_;
 };
+
+std::string unknown_section(const std::string& name, const std::string& known)
+{
+    return "unknown section [" + name + "]; known sections:" + known;
+}
 }  // namespace
 
 mrpt::config::CConfigFileMemory load_ini_file(const std::string& path)
@@ -124,8 +129,7 @@ void load_sections(const mrpt::config::CConfigFileBase& config,
         if (std::count(passed_over.begin(), passed_over.end(), name) > 0) continue;
         const auto matches = [&](const auto& section) { return section.first == name; };
         const auto section = std::find_if(sections.begin(), sections.end(), matches);
-        if (section == sections.end())
-            throw std::runtime_error("unknown section [" + name + "]; known sections:" + known);
+        if (section == sections.end()) throw std::runtime_error(unknown_section(name, known));
         section->second->loadFromConfigFile(config, name);
     }
 }

@@ -79,7 +79,8 @@ double LoopDetector::advance_clock(double timestamp)
     return clock_;
 }
 
-void LoopDetector::insert_released(std::vector<DelayQueue::Entry> released, StageTimes& times)
+void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& released,
+                                   StageTimes& times)
 {
     for (const auto& entry : released)
     {

@@ -26,7 +26,7 @@ float generalised_mean(const FeatureMap& map, int channel, const Cell& cell, dou
     double sum = 0;
     for (int y = cell.top; y < cell.bottom; ++y)
     {
-        const float* row = map.data + (channel * map.rows + y) * map.columns;
+        const float* row = map.data + std::ptrdiff_t{channel * map.rows + y} * map.columns;
         for (int x = cell.left; x < cell.right; ++x)
             sum += power == 1 ? row[x] : std::pow(std::max(0.0F, row[x]), power);
     }

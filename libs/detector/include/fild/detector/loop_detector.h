@@ -57,7 +57,7 @@ class LoopDetector
     };
 
     double advance_clock(double timestamp);
-    void insert_released(std::vector<DelayQueue::Entry> released, StageTimes& times);
+    void insert_released(const std::vector<DelayQueue::Entry>& released, StageTimes& times);
     DetectorOutcome find_loop(const FrameDescription& query, StageTimes& times);
     DetectorOutcome verify(const FrameDescription& query,
                            const Candidate& candidate,
