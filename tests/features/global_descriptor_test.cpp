@@ -137,6 +137,26 @@ TEST(GlobalDescriptor, RefusesOtherKindsOfImages)
     EXPECT_THROW(extractor.extract(cv::Mat(4, 4, CV_16UC1)), std::invalid_argument);
 }
 
+/** A network of Caffe's that averages each input channel; it has no weights, so that its weights
+ * file holds only the network's name (field 1 of caffe.NetParameter). */
+TEST(GlobalDescriptor, ReadsCaffeNetworks)
+{
+    const fild::testing::TemporaryFolder folder;
+    fild::testing::write_text(folder.path("mean.prototxt"),
+                              "name: 'mean'\n"
+                              "layer { name: 'data' type: 'Input' top: 'data'\n"
+                              "  input_param { shape { dim: 1 dim: 3 dim: 4 dim: 4 } } }\n"
+                              "layer { name: 'mean' type: 'Pooling' bottom: 'data' top: 'mean'\n"
+                              "  pooling_param { pool: AVE global_pooling: true } }\n");
+    fild::testing::write_text(folder.path("mean.caffemodel"), "\n\x04mean");
+    auto options = tiny_network();
+    options.model_file = folder.path("mean.caffemodel");
+    options.caffe_prototxt_file = folder.path("mean.prototxt");
+    options.layers = "mean";
+    expect_near(extract(options, cv::Mat(4, 4, CV_8UC3, cv::Scalar(10, 20, 30))),
+                unit({30, 20, 10}));
+}
+
 std::string construction_error(const TGlobalDescriptorOptions& options)
 {
     return message_of<std::runtime_error>([&] { GlobalDescriptorExtractor extractor(options); });
