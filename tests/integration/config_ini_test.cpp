@@ -63,6 +63,7 @@ TEST(ConfigIni, PaperHasThePapersParameters)
     EXPECT_EQ(options.index.links_per_node, 48);
     EXPECT_EQ(options.index.delay_seconds, 40);
     EXPECT_EQ(options.hashing.bits, 256);
+    EXPECT_EQ(options.hashing.search, fild::CodeSearch::cascade);
     EXPECT_EQ(options.hashing.ratio, 0.7);
     EXPECT_FALSE(options.hashing.mutual_check);
     EXPECT_EQ(options.verification.min_inliers, 20);
