@@ -44,6 +44,27 @@ TEST_F(IniFile, NamesPathAndLineOfWhatItRefuses)
     EXPECT_THAT(error("[a]\nx\n"), HasSubstr("neither '[section]' nor 'key = value'"));
     EXPECT_THAT(error("[a\n"), HasSubstr("closing bracket"));
     EXPECT_THAT(error("[a]\n=3\n"), HasSubstr("no key"));
+    EXPECT_THAT(error("[a]\nx=1\nX=2\n"), HasSubstr("test.ini:3: 'X' has capital letters"));
+    EXPECT_THAT(error("[A]\n"), HasSubstr("'A' has capital letters"));
+}
+
+TEST_F(IniFile, PassesOverAByteOrderMark)
+{
+    EXPECT_EQ(load("\xEF\xBB\xBF[a]\nx=1\n").read_string("a", "x", ""), "1");
+}
+
+TEST_F(IniFile, RefusesCapitalLettersInOverrides)
+{
+    mrpt::config::CConfigFileMemory config;
+    EXPECT_THAT(
+        message_of<std::invalid_argument>([&] { fild::apply_overrides(config, {"A.x=1"}); }),
+        HasSubstr("'A' has capital letters"));
+}
+
+TEST_F(IniFile, RefusesAFolder)
+{
+    EXPECT_THAT(message_of<std::runtime_error>([] { fild::load_ini_file("."); }),
+                HasSubstr("cannot read the configuration file ."));
 }
 
 TEST_F(IniFile, RefusesAMissingFile)
@@ -55,7 +76,7 @@ TEST_F(IniFile, RefusesAMissingFile)
 TEST_F(IniFile, OverridesReplaceAndAddKeys)
 {
     auto config = load("[a]\nx=1\n");
-    fild::apply_overrides(config, {"a.x=2", "b.path=/d.e/f=g"});
+    fild::apply_overrides(config, {"a.x = 2", "b.path=/d.e/f=g"});
     EXPECT_EQ(config.read_string("a", "x", ""), "2");
     EXPECT_EQ(config.read_string("b", "path", ""), "/d.e/f=g");
 }

@@ -2,6 +2,7 @@
 #include "fild/core/ini_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -11,11 +12,23 @@ namespace fild
 {
 namespace
 {
+constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
+
 std::string trimmed(const std::string& text)
 {
     const auto first = text.find_first_not_of(" \t\r");
     if (first == std::string::npos) return "";
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/** MRPT looks names up without regard to case, so `Seed` beside `seed` would go unnoticed. */
+std::string require_small_letters(const std::string& name)
+{
+    const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    if (std::any_of(name.begin(), name.end(), is_capital))
+        throw std::invalid_argument("'" + name +
+                                    "' has capital letters; all names are in small ones");
+    return name;
 }
 
 bool starts_with(const std::string& text, const std::string& prefix)
@@ -27,7 +40,8 @@ std::string without_comment(const std::string& line)
 {
     const auto text = trimmed(line);
     if (starts_with(text, "#") || starts_with(text, ";") || starts_with(text, "//")) return "";
-    const auto end = std::min({text.find(" //"), text.find("\t//"), text.find(" ;")});
+    const auto end =
+        std::min({text.find(" //"), text.find("\t//"), text.find(" ;"), text.find("\t;")});
     return trimmed(text.substr(0, end));
 }
 
@@ -55,7 +69,7 @@ class StrictCopier
     void open_section(const std::string& line)
     {
         if (line.back() != ']') fail("'" + line + "' lacks its closing bracket");
-        section_ = trimmed(line.substr(1, line.size() - 2));
+        section_ = small_letters(trimmed(line.substr(1, line.size() - 2)));
         if (!seen_.insert("[" + section_).second) fail("section [" + section_ + "] stands twice");
     }
 
@@ -65,11 +79,23 @@ class StrictCopier
         if (equals == std::string::npos)
             fail("'" + line + "' is neither '[section]' nor 'key = value'");
         if (section_.empty()) fail("'" + line + "' stands before the first [section]");
-        const auto key = trimmed(line.substr(0, equals));
+        const auto key = small_letters(trimmed(line.substr(0, equals)));
         if (key.empty()) fail("'" + line + "' has no key before the '='");
         if (!seen_.insert(section_ + "." + key).second)
             fail("key '" + key + "' stands twice in [" + section_ + "]");
         target_.write(section_, key, trimmed(line.substr(equals + 1)));
+    }
+
+    std::string small_letters(const std::string& name) const
+    {
+        try
+        {
+            return require_small_letters(name);
+        }
+        catch (const std::invalid_argument& error)
+        {
+            fail(error.what());
+        }
     }
 
     [[noreturn]] void fail(const std::string& reason) const
@@ -93,10 +119,13 @@ std::string unknown_section(const std::string& name, const std::string& known)
 mrpt::config::CConfigFileMemory load_ini_file(const std::string& path)
 {
     std::ifstream file(path);
-    if (!file) throw std::runtime_error("cannot read the configuration file " + path);
+    if (!file || std::filesystem::is_directory(path))
+        throw std::runtime_error("cannot read the configuration file " + path);
     mrpt::config::CConfigFileMemory config;
     StrictCopier copier(path, config);
-    for (std::string line; std::getline(file, line);) copier.copy(line);
+    std::string line;
+    for (bool first = true; std::getline(file, line); first = false)
+        copier.copy(first && starts_with(line, kByteOrderMark) ? line.substr(3) : line);
     return config;
 }
 
@@ -110,8 +139,9 @@ void apply_overrides(mrpt::config::CConfigFileMemory& config,
         if (equals == std::string::npos || dot == std::string::npos || dot == 0 ||
             dot + 1 >= equals)
             throw std::invalid_argument("'" + text + "' is not of the form section.key=value");
-        config.write(
-            text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1));
+        config.write(require_small_letters(trimmed(text.substr(0, dot))),
+                     require_small_letters(trimmed(text.substr(dot + 1, equals - dot - 1))),
+                     trimmed(text.substr(equals + 1)));
     }
 }
 

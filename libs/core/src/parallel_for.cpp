@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -39,7 +40,14 @@ void parallel_for(int num_threads, std::size_t count, const std::function<void(s
     };
 
     std::vector<std::thread> helpers;
-    for (std::size_t t = 1; t < thread_count(num_threads, count); ++t) helpers.emplace_back(work);
+    try
+    {
+        for (std::size_t t = 1; t < thread_count(num_threads, count); ++t)
+            helpers.emplace_back(work);
+    }
+    catch (const std::system_error&)  // no more threads to be had: those there are do the work
+    {
+    }
     work();
     for (auto& helper : helpers) helper.join();
     for (const auto& error : errors)

@@ -13,9 +13,9 @@ namespace fild
 {
 /** Reads an .ini file into memory, refusing what MRPT's reader would let pass in silence: a missing
  *  file, a line that is neither section, key, comment nor blank, a key outside any section, a
- * section or key that stands twice, an empty value written as if it were one. Comments: a line that
- * starts with `#`, `;` or `//`, and everything after ` //` or ` ;` in a line. \throw
- * std::runtime_error with path, line number and reason. */
+ * section or key that stands twice, names with capital letters. Comments: a line that starts with
+ * `#`, `;` or `//`, and everything after a blank and `//` or `;` in a line; so no value can begin
+ * with these. \throw std::runtime_error with path, line number and reason. */
 mrpt::config::CConfigFileMemory load_ini_file(const std::string& path);
 
 /** Applies command-line overrides, each "section.key=value", as if they stood in the file.

@@ -20,7 +20,8 @@ constexpr std::uint64_t to_index(FrameId id)
 }
 
 /** Why a frame is no accepted loop closure; the word in the `rejection` column of frames.csv is the
- *  enumerator's name. The first four mean that the frame could not be used at all. */
+ *  enumerator's name. The four after `none` mean that the frame could not be used at
+ *  all: such a frame is passed over, and neither makes nor breaks a row of consistent frames. */
 enum class Rejection
 {
     none,  ///< accepted: a loop closure
