@@ -120,6 +120,25 @@ TEST(LoopDetector, WaitsForBetaFramesInARow)
     EXPECT_TRUE(outcomes[4].verdict.accepted());
 }
 
+TEST(LoopDetector, KeepsARowAcrossAFrameThatCannotBeUsed)
+{
+    auto options = options_with_delay(2);
+    options.consistency.consecutive_frames = 2;
+    fild::LoopDetector detector(options, kDimension);
+    fild::StageTimes times;
+    fild::DetectorOutcome last;
+    const std::vector<std::uint64_t> places = {10, 11, 12, 10, 0, 11};
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        auto view = view_of(places[i], 0.3 * static_cast<double>(i));
+        view.frame = FrameId{i};
+        view.timestamp = static_cast<double>(i);
+        if (i == 4) view.defect = Rejection::missing_image;
+        last = detector.process(std::move(view), times);
+    }
+    EXPECT_TRUE(last.verdict.accepted());
+}
+
 TEST(LoopDetector, DoesNotVerifyBelowTheSimilarityAskedFor)
 {
     auto options = options_with_delay(2);

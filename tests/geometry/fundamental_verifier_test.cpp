@@ -117,6 +117,19 @@ TEST_P(EachMethod, RepeatsWithTheSeed)
     EXPECT_EQ(a.inliers, b.inliers);
 }
 
+TEST_P(EachMethod, TakesTwoCopiesOfOneImage)
+{
+    auto pixels = two_views(200, 0, 8);
+    pixels.candidate = pixels.query;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    {
+        const fild::FundamentalVerifier verifier(options_of(GetParam()), seed);
+        const auto result = verifier.verify(pixels.query, pixels.candidate);
+        EXPECT_EQ(result.rejection, Rejection::none) << "seed " << seed;
+        EXPECT_GE(result.inliers.size(), 150U) << "seed " << seed;
+    }
+}
+
 TEST_P(EachMethod, SurvivesDegeneratePixels)
 {
     const std::size_t count = 40;

@@ -34,6 +34,8 @@ TEST(IndexOptions, WantASearchAsWideAsTheAnswer)
     options.search_width = 5;
     options.candidates = 6;
     EXPECT_THAT(check_error(options), HasSubstr("search_width=5 is below candidates=6"));
+    options.backend = fild::IndexBackend::exact;  // has no search width
+    EXPECT_NO_THROW(options.check());
 }
 
 }  // namespace

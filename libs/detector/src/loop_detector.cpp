@@ -11,8 +11,8 @@ namespace fild
 {
 namespace
 {
-/** How far a candidate came, to choose the one that a verdict speaks of: verified ones first, by
- *  inliers; then by matches, then by similarity. */
+/** Which candidate a verdict speaks of: verified ones first, then by inliers, then by matches.
+ * Equals stay in the order of the search, most similar first. */
 bool came_further(const DetectorOutcome& a, const DetectorOutcome& b)
 {
     const auto rank = [](const DetectorOutcome& outcome)

@@ -27,6 +27,12 @@ void require_file(const std::string& path)
             "[global_descriptor] model_file names another");
 }
 
+/** OpenCV's own words, of which the first line says what is wrong. */
+std::string reason_of(const cv::Exception& error)
+{
+    return error.err.substr(0, error.err.find('\n'));
+}
+
 cv::dnn::Net read_network(const TGlobalDescriptorOptions& options)
 {
     require_file(options.model_file);
@@ -42,7 +48,7 @@ cv::dnn::Net read_network(const TGlobalDescriptorOptions& options)
     catch (const cv::Exception& error)
     {
         throw std::runtime_error("cannot read " + options.model_file +
-                                 " as a network: " + error.err);
+                                 " as a network: " + reason_of(error));
     }
 }
 
@@ -92,7 +98,12 @@ cv::Mat to_blob(const cv::Mat& bgr, const TGlobalDescriptorOptions& options)
 {
     cv::Mat resized;
     const cv::Size size(options.input_width, options.input_height);
-    cv::resize(bgr, resized, size, 0, 0, bgr.cols > size.width ? cv::INTER_AREA : cv::INTER_LINEAR);
+    cv::resize(bgr,
+               resized,
+               size,
+               0,
+               0,
+               bgr.size().area() > size.area() ? cv::INTER_AREA : cv::INTER_LINEAR);
     const auto mean = options.channel_means();
     const bool rgb = options.channel_order == ChannelOrder::rgb;
     return cv::dnn::blobFromImage(
@@ -148,7 +159,7 @@ GlobalDescriptor GlobalDescriptorExtractor::forward(const cv::Mat& bgr)
         throw std::runtime_error("[global_descriptor] " + options_.model_file +
                                  " does not run on an input of " +
                                  std::to_string(options_.input_width) + "x" +
-                                 std::to_string(options_.input_height) + ": " + error.err);
+                                 std::to_string(options_.input_height) + ": " + reason_of(error));
     }
     GlobalDescriptor descriptor;
     for (const auto& output : outputs)

@@ -4,7 +4,7 @@
 
 #include <opencv2/calib3d.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace fild
@@ -41,6 +41,26 @@ cv::UsacParams usac_parameters(const TVerificationOptions& options, int random_s
     return usac;
 }
 
+/** The model of a camera that has not moved: every match is where it was. OpenCV's estimators
+ * refuse such matches, since every skew-symmetric F fits them; this is one of those. */
+Verification without_motion(const std::vector<PixelPosition>& query,
+                            const std::vector<PixelPosition>& candidate,
+                            double max_error_px)
+{
+    Verification result;
+    for (std::size_t k = 0; k < query.size(); ++k)
+        if (std::hypot(query[k].x - candidate[k].x, query[k].y - candidate[k].y) <= max_error_px)
+            result.inliers.push_back(k);
+    if (2 * result.inliers.size() <= query.size())
+    {
+        result.inliers.clear();
+        result.rejection = Rejection::no_model;
+        return result;
+    }
+    result.candidate_from_query_f = cv::Matx33d(0, -1, 0, 1, 0, 0, 0, 0, 0);
+    return result;
+}
+
 std::vector<cv::Point2f> to_points(const std::vector<PixelPosition>& pixels)
 {
     std::vector<cv::Point2f> points;
@@ -73,14 +93,15 @@ Verification FundamentalVerifier::verify(const std::vector<PixelPosition>& query
                                              to_points(candidate),
                                              is_inlier,
                                              usac_parameters(options_, random_state_));
-    if (f.rows != 3 || f.cols != 3)
+    if (f.rows == 3 && f.cols == 3)
     {
-        result.rejection = Rejection::no_model;
-        return result;
+        result.candidate_from_query_f = cv::Matx33d(f);
+        for (std::size_t k = 0; k < is_inlier.size(); ++k)
+            if (is_inlier[k] != 0) result.inliers.push_back(k);
     }
-    result.candidate_from_query_f = cv::Matx33d(f);
-    for (std::size_t k = 0; k < is_inlier.size(); ++k)
-        if (is_inlier[k] != 0) result.inliers.push_back(k);
+    else
+        result = without_motion(query, candidate, options_.max_epipolar_error_px);
+    if (result.rejection != Rejection::none) return result;
     const auto share =
         static_cast<double>(result.inliers.size()) / static_cast<double>(query.size());
     if (result.inliers.size() < wanted || share < options_.min_inlier_ratio)

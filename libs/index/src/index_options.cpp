@@ -18,7 +18,7 @@ void TIndexOptions::describe(OptionVisitor& visitor)
 
 void TIndexOptions::check_between_fields() const
 {
-    if (search_width < candidates)
+    if (backend == IndexBackend::hnsw && search_width < candidates)
         throw std::invalid_argument("search_width=" + std::to_string(search_width) +
                                     " is below candidates=" + std::to_string(candidates));
 }

@@ -43,7 +43,7 @@ class LoopDetector
     DetectorOutcome process(FrameDescription description, StageTimes& times);
 
     /** Memory of codes, positions and descriptors held for later frames, bytes; the links of the
-     *  HNSW graph (about 8 M bytes a frame) not counted. */
+     *  HNSW graph (about 8 x links_per_node bytes a frame) not counted. */
     std::size_t map_bytes() const { return map_bytes_; }
 
     std::size_t clock_jumps() const { return clock_jumps_; }

@@ -27,7 +27,7 @@ class GlobalDescriptorExtractor
     GlobalDescriptorExtractor& operator=(GlobalDescriptorExtractor&&) noexcept;
 
     /** \param image 8 bit, one channel (grey) or three (BGR), any size but empty.
-     *  \return dimension() numbers of unit norm.
+     *  \return dimension() numbers of unit norm; all zero when all activations are.
      *  \throw std::invalid_argument on another kind of image. */
     GlobalDescriptor extract(const cv::Mat& image);
 

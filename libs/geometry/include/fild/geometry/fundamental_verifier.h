@@ -35,8 +35,10 @@ class FundamentalVerifier
     FundamentalVerifier(const TVerificationOptions& options, std::uint64_t seed);
 
     /** \param query,candidate  pixel k of one image matched with pixel k of the other.
-     *  Fewer than tau matches are not looked at: they cannot hold tau inliers.
-     *  \throw std::invalid_argument when the sizes differ. */
+     *  Where RANSAC finds no model and most matches have not moved, the camera has not either: they
+     * are the inliers (two copies of one image are a loop, too). Fewer than tau matches are not
+     * looked at: they cannot hold tau inliers. \throw std::invalid_argument when the sizes differ.
+     */
     Verification verify(const std::vector<PixelPosition>& query,
                         const std::vector<PixelPosition>& candidate) const;
 
