@@ -77,9 +77,15 @@ struct FrameBuilder::State
     ImageStore store;
     Undistorter undistorter;
     std::optional<CameraModel> override_camera;
-    std::optional<cv::Size> image_size;
-    std::optional<double> previous_stamp;
+    /** What the next image of a camera is held against. */
+    struct Camera
+    {
+        std::optional<cv::Size> image_size;
+        std::optional<double> previous_stamp;
+    };
+    std::map<std::string, Camera> cameras;  ///< by sensor label
     std::uint64_t count = 0;
+    std::string first_missing;
 };
 
 Frame FrameBuilder::State::begin(const CObservation& observation)
@@ -88,6 +94,7 @@ Frame FrameBuilder::State::begin(const CObservation& observation)
     frame.id = FrameId{count++};
     frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
     frame.sensor_label = observation.sensorLabel;
+    auto& previous_stamp = cameras[frame.sensor_label].previous_stamp;
     if (frame.timestamp == previous_stamp) frame.defect = Rejection::repeated_timestamp;
     previous_stamp = frame.timestamp;
     return frame;
@@ -100,8 +107,10 @@ void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
     if (!stored)
     {
         frame.defect = Rejection::missing_image;
+        if (first_missing.empty()) first_missing = store.path_of(view.image);
         return;
     }
+    const auto& image_size = cameras[frame.sensor_label].image_size;
     const auto image = as_grey_or_bgr(*stored);
     if (!image)
         frame.defect = Rejection::unsupported_image;
@@ -162,7 +171,7 @@ Frame FrameBuilder::build(const CObservation& observation)
     if (frame.defect == Rejection::none) state_->load_image(*view, frame);
     if (frame.defect != Rejection::none) return frame;
     state_->calibrate(*view, frame);
-    state_->image_size = frame.image.size();
+    state_->cameras[frame.sensor_label].image_size = frame.image.size();
     return frame;
 }
 
@@ -174,6 +183,11 @@ void FrameBuilder::skip(const CObservation& observation)
 FrameId FrameBuilder::next_id() const
 {
     return FrameId{state_->count};
+}
+
+std::string FrameBuilder::first_missing_image() const
+{
+    return state_->first_missing;
 }
 
 std::vector<std::string> FrameBuilder::ignored_camera_labels() const

@@ -178,7 +178,9 @@ RawlogReader::RawlogReader(const std::string& path)
 {
     mrpt::maps::registerAllClasses_mrpt_maps();  // CObservationPointCloud and others live there
     namespace fs = std::filesystem;
-    if (!fs::exists(path)) throw std::runtime_error("no such rawlog: " + path + "; check the path");
+    std::error_code error;
+    if (!fs::exists(path, error))
+        throw std::runtime_error("no such rawlog: " + path + "; check the path");
     if (!fs::is_regular_file(path))
         throw std::runtime_error(path + " is no file; name a .rawlog file");
     const auto size = fs::file_size(path);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -83,16 +84,18 @@ void draw_matches(const std::vector<PixelPair>& inliers, const Layout& layout, c
 std::string caption_of(const MatchPicture& picture)
 {
     const auto& verdict = picture.verdict;
+    const double seconds = verdict.timestamp - picture.candidate_timestamp;
     std::array<char, 200> text{};
     const auto outcome =
         verdict.accepted() ? std::string("loop closure") : to_word(verdict.rejection);
     std::snprintf(
         text.data(),
         text.size(),
-        "frame %llu and %llu, %.1f s earlier | similarity %.3f | %zu matches, %zu inliers | %s",
+        "frame %llu and %llu, %.1f s %s | similarity %.3f | %zu matches, %zu inliers | %s",
         static_cast<unsigned long long>(to_index(verdict.frame)),
         static_cast<unsigned long long>(to_index(verdict.candidate->frame)),
-        verdict.timestamp - picture.candidate_timestamp,
+        std::abs(seconds),
+        seconds < 0 ? "later by its clock" : "earlier",
         verdict.candidate->similarity,
         verdict.matches,
         verdict.inliers,

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <initializer_list>
 #include <memory>
 #include <openssl/evp.h>
 #include <stdexcept>
@@ -85,12 +86,25 @@ void RunSummary::add(const FrameVerdict& verdict)
     mean_keypoints += (static_cast<double>(verdict.keypoints) - mean_keypoints) * weight;
 }
 
+std::size_t RunSummary::usable_frames() const
+{
+    std::size_t usable = camera_frames;
+    for (const auto defect : {Rejection::missing_image,
+                              Rejection::image_size_changed,
+                              Rejection::repeated_timestamp,
+                              Rejection::unsupported_image})
+        if (const auto count = frames_by_rejection.find(defect); count != frames_by_rejection.end())
+            usable -= count->second;
+    return usable;
+}
+
 void write_summary(const RunSummary& summary, const std::string& path)
 {
     Json versions = Json::object();
     for (const auto& [name, version] : summary.versions) versions[name] = version;
     const Json json = {
         {"rawlog", summary.rawlog},
+        {"max_frames", summary.max_frames},
         {"complete", summary.ended_early.empty()},
         {"ended_early", summary.ended_early},
         {"frames", frames_json(summary)},

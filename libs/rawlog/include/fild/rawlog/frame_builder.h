@@ -43,8 +43,8 @@ class FrameBuilder
     bool accepts(const mrpt::obs::CObservation& observation);
 
     /** The frame of an accepted observation. One that cannot be used has Frame::defect:
-     *  missing_image, unsupported_image, image_size_changed (against the first image built) or
-     *  repeated_timestamp (of the accepted observation before; its image is not read).
+     *  missing_image, unsupported_image, image_size_changed (against this camera's first image) or
+     *  repeated_timestamp (of this camera's observation before; its image is not read).
      *  An embedded image that needs no undistortion is shared with the observation, not copied.
      *  \throw std::invalid_argument when the observation has no camera image.
      *  \throw std::runtime_error when the image is missing and on_missing_image is `stop`, or when
@@ -56,6 +56,10 @@ class FrameBuilder
 
     /** Id of the next frame; as a number, how many there were. */
     FrameId next_id() const;
+
+    /** Path of the first externally stored image that could not be read; empty: none was missing.
+     */
+    std::string first_missing_image() const;
 
     /** Labels of cameras that were seen and not wanted, sorted: for a warning. */
     std::vector<std::string> ignored_camera_labels() const;

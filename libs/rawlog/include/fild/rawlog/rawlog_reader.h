@@ -25,7 +25,7 @@ class TruncatedRawlog : public std::runtime_error
     }
 
     std::size_t entries_read;  ///< whole entries of the rawlog before the bad one
-    /** Bytes of the file consumed; some hundred thousand too many at most, as blocks are read. */
+    /** Bytes of the file consumed; a few thousand too many at most, as blocks are read. */
     std::uint64_t byte_position;
 };
 

@@ -20,7 +20,9 @@ struct RunSummary
         std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>>;
 
     std::string rawlog;
-    /** Why the run ended before the rawlog did; empty for a complete run. */
+    std::size_t max_frames = 0;  ///< asked for; 0: all
+    /** Why the run ended before the rawlog, or the frames asked for, did; empty for a complete run.
+     */
     std::string ended_early;
     std::size_t camera_frames = 0;
     std::size_t loop_closures = 0;
@@ -40,6 +42,9 @@ struct RunSummary
 
     /** Counts a frame and its keypoints. */
     void add(const FrameVerdict& verdict);
+
+    /** Frames that the detector could look at. */
+    std::size_t usable_frames() const;
 };
 
 /** Writes the summary; the file appears when it is whole. \throw std::runtime_error as WholeFile.
