@@ -5,17 +5,19 @@
 
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace fild
 {
 /** A command line that was typed wrongly. */
-class WrongUsage : public std::runtime_error
+class WrongUsage : public std::invalid_argument
 {
  public:
-    using std::runtime_error::runtime_error;
+    using std::invalid_argument::invalid_argument;
 };
 
 /** Reports wrong usage as an exception; TCLAP itself would print a dozen lines and end the process.
@@ -23,9 +25,16 @@ class WrongUsage : public std::runtime_error
 class ThrowingOutput : public TCLAP::StdOutput
 {
  public:
-    void failure(TCLAP::CmdLineInterface&, TCLAP::ArgException& error) override
+    void failure(TCLAP::CmdLineInterface& command, TCLAP::ArgException& error) override
     {
-        throw WrongUsage(error.error() + " (" + error.argId() + ")");
+        auto about = error.argId();  // "Argument: (--list)", or blank when one is absent
+        for (const std::string around : {"Argument: ", "(", ")", " "})
+            if (const auto at = about.find(around); at != std::string::npos)
+                about.erase(at, around.size());
+        if (about.empty())
+            for (const auto* arg : command.getArgList())
+                if (arg->isRequired() && !arg->isSet()) about += " --" + arg->getName();
+        throw WrongUsage(error.error() + ": " + about);
     }
 };
 
@@ -34,6 +43,7 @@ class ThrowingOutput : public TCLAP::StdOutput
 inline bool parse_arguments(TCLAP::CmdLine& command, int argc, char** argv)
 {
     ThrowingOutput output;
+    const std::unique_ptr<TCLAP::CmdLineOutput> leaked_by_set_output(command.getOutput());
     command.setOutput(&output);
     return command.parse(argc, const_cast<const char**>(argv));
 }
@@ -50,7 +60,7 @@ int app_main(const std::string& name, int argc, char** argv, Parse&& parse, Run&
         if (auto options = parse(argc, argv)) run(std::move(*options));
         return 0;
     }
-    catch (const WrongUsage& error)
+    catch (const std::invalid_argument& error)  // of the command line or made from it
     {
         std::cerr << name << ": " << error.what() << "; see --help\n";
         return 2;

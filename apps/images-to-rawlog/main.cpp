@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "app_main.h"
 #include "fild/rawlog/image_list.h"
 #include "fild/rawlog/image_rawlog.h"
 
-#include <mrpt/3rdparty/tclap/CmdLine.h>
-
-#include <exception>
 #include <initializer_list>
 #include <iostream>
-#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace
 {
-constexpr int kFailed = 1;
-constexpr int kWrongUsage = 2;
-
 /** The command line. */
 struct AppOptions
 {
@@ -28,31 +20,12 @@ struct AppOptions
     fild::ImageRawlogRequest request;
 };
 
-/** Reports wrong usage as an exception; TCLAP itself would print a dozen lines. */
-class ThrowingOutput : public TCLAP::StdOutput
-{
- public:
-    void failure(TCLAP::CmdLineInterface&, TCLAP::ArgException& error) override
-    {
-        auto about = error.argId();  // "Argument: (--list)", or blank when one is absent
-        for (const std::string around : {"Argument: ", "(", ")", " "})
-            if (const auto at = about.find(around); at != std::string::npos)
-                about.erase(at, around.size());
-        throw std::invalid_argument(
-            error.error() +
-            (about.empty() ? " --output and --images or --list are needed" : ": " + about));
-    }
-};
-
 /** Nothing when --help or --version was all that was asked for.
- *  \throw std::invalid_argument on wrong usage. */
+ *  \throw fild::WrongUsage */
 std::optional<AppOptions> parse_command_line(int argc, char** argv)
 {
     using Text = TCLAP::ValueArg<std::string>;
     TCLAP::CmdLine command("Writes a rawlog from a folder or a list of images.", ' ', FILD_VERSION);
-    ThrowingOutput on_wrong_usage;
-    const std::unique_ptr<TCLAP::CmdLineOutput> leaked_by_set_output(command.getOutput());
-    command.setOutput(&on_wrong_usage);
     Text output("", "output", "The rawlog to write; must not exist yet", true, "", "FILE.rawlog");
     Text images("", "images", "Folder of images, taken by name in byte order", true, "", "DIR");
     Text list("", "list", "List: IMAGE [SECONDS] a line, relative to the list", true, "", "FILE");
@@ -67,7 +40,7 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     for (TCLAP::Arg* arg :
          std::initializer_list<TCLAP::Arg*>{&embed, &label, &calibration, &rate, &stamps, &output})
         command.add(arg);
-    if (!command.parse(argc, const_cast<const char**>(argv))) return std::nullopt;
+    if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
 
     AppOptions options;
     options.images_dir = images.getValue();
@@ -94,26 +67,9 @@ void run(AppOptions options)
               << (summary.images_dir.empty() ? "embedded" : "in " + summary.images_dir) << "\n";
 }
 
-int fail(const std::string& message, int exit_code)
-{
-    std::cerr << "images-to-rawlog: " << message << "\n";
-    return exit_code;
-}
 }  // namespace
 
 int main(int argc, char** argv)
 {
-    try
-    {
-        if (auto options = parse_command_line(argc, argv)) run(std::move(*options));
-        return 0;
-    }
-    catch (const std::invalid_argument& error)
-    {
-        return fail(std::string(error.what()) + "; see --help", kWrongUsage);
-    }
-    catch (const std::exception& error)
-    {
-        return fail(error.what(), kFailed);
-    }
+    return fild::app_main("images-to-rawlog", argc, argv, parse_command_line, run);
 }

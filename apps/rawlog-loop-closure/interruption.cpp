@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "interruption.h"
 
+#include <atomic>
 #include <csignal>
 #include <ctime>
 #include <initializer_list>
@@ -11,8 +12,9 @@ namespace
 {
 constexpr std::time_t kSecondsOfPatience = 2;
 
-volatile std::sig_atomic_t stop_asked = 0;  // a signal handler can reach nothing but a global
-volatile std::time_t first_asked = 0;
+// A signal handler can reach nothing but globals, and only lock-free ones.
+volatile std::sig_atomic_t stop_asked = 0;
+std::atomic<std::time_t> first_asked{0};
 
 /** Calls only what POSIX allows in a signal handler. */
 void ask_to_stop(int signal)
@@ -32,7 +34,7 @@ void catch_interruption()
 {
     struct sigaction action = {};
     action.sa_handler = ask_to_stop;
-    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
 
 bool interrupted()

@@ -3,8 +3,9 @@
 
 namespace fild
 {
-/** From now on the first Ctrl-C (SIGINT) or SIGTERM only sets a flag, so that results can be
- * written; the second ends the process as usual. */
+/** From now on Ctrl-C (SIGINT), SIGTERM or SIGHUP only sets a flag, so that results can be written;
+ *  another one two seconds later or more ends the process as usual. Some callers, timeout(1) for
+ * one, send a signal twice at once and mean it once. */
 void catch_interruption();
 
 /** True once the user has asked to stop. */

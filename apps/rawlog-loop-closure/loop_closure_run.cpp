@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
@@ -78,6 +79,14 @@ void read_frames(const RunRequest& request,
     }
 }
 
+std::string no_usable_frame(const FrameBuilder& frames)
+{
+    const auto missing = frames.first_missing_image();
+    if (missing.empty()) return "no frame could be used";
+    return "no frame could be used; the first image that is missing is " + missing +
+           "; set [input] images_dir to the folder of the images";
+}
+
 /** As read_frames(), but an error after the first frame is returned: what came before is good. */
 std::string read_what_can_be_read(const RunRequest& request,
                                   RawlogReader& reader,
@@ -88,22 +97,47 @@ std::string read_what_can_be_read(const RunRequest& request,
     {
         read_frames(request, reader, stream, gathered);
     }
-    catch (const std::runtime_error& error)
+    catch (const std::exception& error)
     {
-        if (gathered.summary.camera_frames == 0) throw;
+        if (gathered.summary.camera_frames == 0) throw std::runtime_error(error.what());
         return error.what();
     }
-    if (gathered.summary.camera_frames > 0) return "";
+    const auto& summary = gathered.summary;
+    if (summary.camera_frames > 0 && summary.usable_frames() > 0) return "";
+    if (summary.camera_frames > 0) return no_usable_frame(stream.frames());
     const auto& label = request.options.stream.input.sensor_label;
     const auto wanted = label.empty() ? "" : " that matches [input] sensor_label='" + label + "'";
     throw std::runtime_error(request.rawlog + " has no camera observation" + wanted + "; " +
                              stream.frames().describe_labels());
 }
 
+/** Draws the match pictures; an error or an interruption ends only the drawing. */
+void draw_what_can_be_drawn(const RunRequest& request,
+                            const OutputFolder& folder,
+                            Gathered& gathered)
+{
+    auto& summary = gathered.summary;
+    try
+    {
+        summary.match_pictures = draw_match_pictures(gathered.closures,
+                                                     request.options.render,
+                                                     request.options.stream.input,
+                                                     request.rawlog,
+                                                     folder.file("matches"));
+        if (interrupted() && summary.ended_early.empty()) summary.ended_early = "interrupted";
+    }
+    catch (const std::exception& error)
+    {
+        if (summary.ended_early.empty())
+            summary.ended_early = std::string("no more match pictures: ") + error.what();
+    }
+}
+
 /** Fills in all of the summary that is not counted frame by frame. */
 void complete_summary(RunRequest& request, const LoopClosureStream& stream, RunSummary& summary)
 {
     summary.rawlog = request.rawlog;
+    summary.max_frames = request.max_frames;
     summary.clock_jumps = stream.detector().clock_jumps();
     summary.ignored_camera_labels = stream.frames().ignored_camera_labels();
     for (const auto& [name, options] : request.options.sections())
@@ -120,11 +154,17 @@ void complete_summary(RunRequest& request, const LoopClosureStream& stream, RunS
     summary.peak_memory_bytes = peak_memory_bytes();
 }
 
-void print_result(const RunSummary& summary, const std::string& output)
+void print_result(const RunSummary& summary,
+                  const std::string& first_missing_image,
+                  const std::string& output)
 {
     for (const auto& label : summary.ignored_camera_labels)
         std::cerr << "note: camera " << label
                   << " was not looked at; [input] sensor_label chooses cameras\n";
+    const auto missing = summary.frames_by_rejection.find(Rejection::missing_image);
+    if (missing != summary.frames_by_rejection.end())
+        std::cerr << "note: " << missing->second << " images are missing, the first is "
+                  << first_missing_image << "; [input] images_dir names their folder\n";
     std::cout << summary.camera_frames << " frames, " << summary.loop_closures
               << " loop closures, in " << output << "\n";
     for (const auto& [rejection, count] : summary.frames_by_rejection)
@@ -150,21 +190,18 @@ void run_loop_closure(RunRequest request)
     LoopClosureStream stream(options.stream, request.rawlog);
     const OutputFolder folder(request.output);
 
+    std::filesystem::remove(folder.file("summary.json"));  // written last: it marks a whole set
     Gathered gathered(folder, options.render.max_match_pictures > 0);
     auto& summary = gathered.summary;
     summary.ended_early = read_what_can_be_read(request, reader, stream, gathered);
     gathered.frames.commit();
     gathered.loops.commit();
-    summary.match_pictures = draw_match_pictures(gathered.closures,
-                                                 options.render,
-                                                 options.stream.input,
-                                                 request.rawlog,
-                                                 folder.file("matches"));
+    draw_what_can_be_drawn(request, folder, gathered);
     complete_summary(request, stream, summary);
     summary.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_summary(summary, folder.file("summary.json"));
-    print_result(summary, request.output);
+    print_result(summary, stream.frames().first_missing_image(), request.output);
     if (!summary.ended_early.empty())
         throw std::runtime_error(summary.ended_early + "; the results of the " +
                                  std::to_string(summary.camera_frames) + " frames before are in " +

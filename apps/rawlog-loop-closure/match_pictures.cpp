@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "match_pictures.h"
 
+#include "fild/core/whole_file.h"
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/rawlog_reader.h"
 #include "fild/render/match_picture.h"
@@ -12,8 +13,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <stdexcept>
-#include <unistd.h>
 
 namespace fild
 {
@@ -65,6 +66,12 @@ std::vector<LoopPicture> chosen_loops(const std::vector<LoopPicture>& loops,
     return chosen;
 }
 
+std::string picture_name(const FrameVerdict& verdict)
+{
+    return std::to_string(to_index(verdict.frame)) + "_" +
+           std::to_string(to_index(verdict.candidate->frame)) + ".png";
+}
+
 void write_picture(const LoopPicture& loop,
                    const cv::Mat& query_image,
                    const cv::Mat& candidate_image,
@@ -72,10 +79,22 @@ void write_picture(const LoopPicture& loop,
 {
     const auto picture = draw_match_picture(
         {query_image, candidate_image, loop.verdict, loop.candidate_timestamp, loop.inliers});
-    const auto path = folder / (std::to_string(to_index(loop.verdict.frame)) + "_" +
-                                std::to_string(to_index(loop.verdict.candidate->frame)) + ".png");
-    if (!cv::imwrite(path.string(), picture))
-        throw std::runtime_error("cannot write " + path.string() + ": is the disk full?");
+    std::vector<unsigned char> png;
+    cv::imencode(".png", picture, png);
+    WholeFile file((folder / picture_name(loop.verdict)).string());
+    file.stream().write(reinterpret_cast<const char*>(png.data()),
+                        static_cast<std::streamsize>(png.size()));
+    file.commit();
+}
+
+/** Removes the pictures of an earlier run, and nothing else that may lie in the folder. */
+void remove_old_pictures(const std::filesystem::path& folder)
+{
+    const std::regex ours("[0-9]+_[0-9]+\\.png(\\.part-[0-9]+)?");
+    std::vector<std::filesystem::path> old;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (std::regex_match(entry.path().filename().string(), ours)) old.push_back(entry.path());
+    for (const auto& path : old) std::filesystem::remove(path);
 }
 
 /** Passes over the rawlog and draws the loops, which stand in order of their queries. */
@@ -101,6 +120,9 @@ std::size_t draw_all(const std::vector<LoopPicture>& loops,
             continue;
         }
         const auto frame = builder.build(*observation);
+        if (frame.defect != Rejection::none)
+            throw std::runtime_error("the image of frame " + std::to_string(to_index(id)) +
+                                     " is gone since the run began");
         if (candidates.wants(id)) candidates.store(frame);
         if (!is_query) continue;
         write_picture(*next, frame.image, candidates.take(next->verdict.candidate->frame), folder);
@@ -123,20 +145,9 @@ std::size_t draw_match_pictures(const std::vector<LoopPicture>& loops,
                                 const std::string& rawlog,
                                 const std::string& folder)
 {
-    const std::filesystem::path unfinished = folder + ".part-" + std::to_string(::getpid());
-    std::filesystem::create_directory(unfinished);
-    try
-    {
-        const auto drawn = draw_all(chosen_loops(loops, options), input, rawlog, unfinished);
-        std::filesystem::remove_all(folder);
-        std::filesystem::rename(unfinished, folder);
-        return drawn;
-    }
-    catch (const std::exception&)
-    {
-        std::filesystem::remove_all(unfinished);
-        throw;
-    }
+    std::filesystem::create_directories(folder);
+    remove_old_pictures(folder);
+    return draw_all(chosen_loops(loops, options), input, rawlog, folder);
 }
 
 }  // namespace fild

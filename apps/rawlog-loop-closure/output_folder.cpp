@@ -12,6 +12,14 @@
 
 namespace fild
 {
+namespace
+{
+std::string reason(int error_number)
+{
+    return std::generic_category().message(error_number);
+}
+}  // namespace
+
 OutputFolder::OutputFolder(std::string path) : path_(std::move(path))
 {
     std::error_code error;
@@ -21,19 +29,32 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path))
     lock_ = ::open(file(".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
     if (lock_ < 0)
         throw std::runtime_error("cannot write into the output folder " + path_ + ": " +
-                                 std::generic_category().message(errno));
+                                 reason(errno));
     if (::flock(lock_, LOCK_EX | LOCK_NB) != 0)
     {
+        const int error_number = errno;
         ::close(lock_);
-        throw std::runtime_error("another run is writing into " + path_ +
-                                 "; wait for it or choose another --output");
+        throw std::runtime_error(error_number == EWOULDBLOCK
+                                     ? "another run is writing into " + path_ +
+                                           "; wait for it or choose another --output"
+                                     : "cannot lock " + path_ + ": " + reason(error_number));
     }
+    remove_unfinished_files();
 }
 
+// The lock file stays: to remove it would let two runs lock two files of one name.
 OutputFolder::~OutputFolder()
 {
-    ::unlink(file(".lock").c_str());
     ::close(lock_);
+}
+
+void OutputFolder::remove_unfinished_files() const
+{
+    std::error_code ignored;  // they are in nobody's way
+    for (const std::string name : {"frames.csv", "loops.csv", "summary.json"})
+        for (const auto& entry : std::filesystem::directory_iterator(path_, ignored))
+            if (entry.path().filename().string().rfind(name + ".part-", 0) == 0)
+                std::filesystem::remove(entry.path(), ignored);
 }
 
 std::string OutputFolder::file(const std::string& name) const

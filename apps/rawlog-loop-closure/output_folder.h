@@ -20,6 +20,9 @@ class OutputFolder
     std::string file(const std::string& name) const;
 
  private:
+    /** Those of a run that was killed; this run holds the lock, so nobody is writing them. */
+    void remove_unfinished_files() const;
+
     std::string path_;
     int lock_ = -1;  ///< descriptor of the lock file
 };

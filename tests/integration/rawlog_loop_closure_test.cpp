@@ -103,7 +103,8 @@ class RawlogLoopClosure : public ::testing::Test
         std::vector<std::string> names;
         if (!fs::exists(path("out"))) return names;
         for (const auto& entry : fs::directory_iterator(path("out")))
-            names.push_back(entry.path().filename().string());
+            if (entry.path().filename() != ".lock")
+                names.push_back(entry.path().filename().string());
         std::sort(names.begin(), names.end());
         return names;
     }
@@ -133,7 +134,10 @@ TEST_F(RawlogLoopClosure, ExitsWithTwoOnWrongUsage)
         const auto finished = fild::testing::run_command(app() + line);
         EXPECT_EQ(finished.exit_code, 2) << line;
         EXPECT_THAT(finished.err, HasSubstr("see --help")) << line;
+        EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
     }
+    EXPECT_THAT(fild::testing::run_command(app() + "--rawlog x").err,
+                AllOf(HasSubstr("--config"), HasSubstr("--output"), Not(HasSubstr("--rawlog"))));
     EXPECT_THAT(error("--max-frames 0", 2), HasSubstr("--max-frames"));
 }
 
@@ -185,8 +189,10 @@ TEST_F(RawlogLoopClosure, HonoursLimitsOfFramesAndPictures)
     EXPECT_EQ(lines_of(frames_csv()).size(), 13U);
     EXPECT_EQ(summary()["frames"]["match_pictures"], 2);
     EXPECT_EQ(std::distance(fs::directory_iterator(path("out/matches")), {}), 2);
+    write_text(path("out/matches/notes.txt"), "mine");
     ASSERT_EQ(run("--set render.max_match_pictures=0").exit_code, 0);
-    EXPECT_TRUE(fs::is_empty(path("out/matches")));  // those of the run before are gone
+    EXPECT_EQ(read_text(path("out/matches/notes.txt")), "mine");  // and our old pictures are gone
+    EXPECT_EQ(std::distance(fs::directory_iterator(path("out/matches")), {}), 1);
 }
 
 TEST_F(RawlogLoopClosure, NamesWhatIsWrongWithItsInputs)
@@ -197,7 +203,7 @@ TEST_F(RawlogLoopClosure, NamesWhatIsWrongWithItsInputs)
     write_rawlog(two_laps());
     EXPECT_THAT(error("--set index.serch_width=5"), HasSubstr("unknown key 'serch_width'"));
     EXPECT_THAT(error("--set indx.search_width=5"), HasSubstr("unknown section [indx]"));
-    EXPECT_THAT(error("--set search_width=5"), HasSubstr("section.key=value"));
+    EXPECT_THAT(error("--set search_width=5", 2), HasSubstr("section.key=value"));
     EXPECT_THAT(error("--set verification.min_inliers=lots"), HasSubstr("min_inliers='lots'"));
     EXPECT_THAT(error("--set global_descriptor.model_file=/no/such.onnx"),
                 AllOf(HasSubstr("/no/such.onnx"), HasSubstr("get-model.sh")));
@@ -238,6 +244,49 @@ TEST_F(RawlogLoopClosure, SkipsAMissingImageOrStops)
     EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
     EXPECT_THAT(error("--set input.on_missing_image=stop"), HasSubstr("gone.png"));
     EXPECT_EQ(lines_of(frames_csv()).size(), 4U);  // the header and three frames
+}
+
+TEST_F(RawlogLoopClosure, FailsWhenAllImagesAreMissing)
+{
+    Objects objects;
+    for (int i = 0; i < 3; ++i)
+        objects.push_back(fild::testing::external_observation("gone.png", i));
+    write_rawlog(objects);
+    const auto finished = run("--quiet");
+    EXPECT_EQ(finished.exit_code, 1);
+    EXPECT_THAT(finished.err, AllOf(HasSubstr("gone.png"), HasSubstr("images_dir")));
+    EXPECT_EQ(rows().size(), 3U);
+}
+
+TEST_F(RawlogLoopClosure, WritesTheSummaryWhenPicturesCannotBeDrawn)
+{
+    write_rawlog(two_laps());
+    fs::create_directory(path("out"));
+    write_text(path("out/matches"), "a file where a folder should be");
+    EXPECT_THAT(error(), HasSubstr("no more match pictures"));
+    EXPECT_FALSE(summary()["complete"].get<bool>());
+    EXPECT_EQ(rows().size(), 2U * kFramesPerLap);
+}
+
+TEST_F(RawlogLoopClosure, RemovesWhatAKilledRunLeft)
+{
+    write_rawlog(two_laps());
+    fs::create_directory(path("out"));
+    write_text(path("out/frames.csv.part-1"), "half");
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(output_names(), kAllOutputs);
+}
+
+TEST_F(RawlogLoopClosure, LooksAtTwoCamerasWhenAskedTo)
+{
+    auto objects = two_laps("A");
+    const auto second = two_laps("B");
+    for (std::size_t i = 0; i < second.size(); ++i)
+        objects.insert(objects.begin() + static_cast<std::ptrdiff_t>(2 * i), second[i]);
+    write_rawlog(objects);
+    ASSERT_EQ(run("--set 'input.sensor_label=A|B'").exit_code, 0);
+    EXPECT_EQ(rows().size(), 4U * kFramesPerLap);
+    EXPECT_FALSE(summary()["frames"]["rejections"].contains("repeated_timestamp"));
 }
 
 TEST_F(RawlogLoopClosure, CountsWhatItCannotUse)
