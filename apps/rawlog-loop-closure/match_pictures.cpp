@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <stdexcept>
 
 namespace fild
@@ -87,13 +86,24 @@ void write_picture(const LoopPicture& loop,
     file.commit();
 }
 
+/** True for NUMBER_NUMBER.png and what a killed run left of one. */
+bool is_picture_name(const std::string& name)
+{
+    constexpr const char* kDigits = "0123456789";
+    const auto underscore = name.find_first_not_of(kDigits);
+    if (underscore == 0 || underscore == std::string::npos || name[underscore] != '_') return false;
+    const auto dot = name.find_first_not_of(kDigits, underscore + 1);
+    if (dot == underscore + 1 || dot == std::string::npos) return false;
+    const auto ending = name.substr(dot);
+    return ending == ".png" || ending.rfind(".png.part-", 0) == 0;
+}
+
 /** Removes the pictures of an earlier run, and nothing else that may lie in the folder. */
 void remove_old_pictures(const std::filesystem::path& folder)
 {
-    const std::regex ours("[0-9]+_[0-9]+\\.png(\\.part-[0-9]+)?");
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
-        if (std::regex_match(entry.path().filename().string(), ours)) old.push_back(entry.path());
+        if (is_picture_name(entry.path().filename().string())) old.push_back(entry.path());
     for (const auto& path : old) std::filesystem::remove(path);
 }
 
