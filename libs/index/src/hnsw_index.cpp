@@ -6,8 +6,8 @@
 #include "require_dimension.h"
 
 #ifdef __SANITIZE_ADDRESS__
-// hnswlib 0.6.2 prefetches through the link after the last one of a full list: four bytes past the end
-// of a heap block, which are read and not used. The address sanitizer would stop there.
+// hnswlib 0.6.2 prefetches through the link after the last one of a full list: four bytes past the
+// end of a heap block, which are read and not used. The address sanitizer would stop there.
 #define NO_MANUAL_VECTORIZATION
 #endif
 #include <hnswlib/hnswlib.h>
