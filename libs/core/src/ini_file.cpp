@@ -21,14 +21,13 @@ std::string trimmed(const std::string& text)
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/** MRPT looks names up without regard to case, so `Seed` beside `seed` would go unnoticed. */
-std::string require_small_letters(const std::string& name)
+/** What is wrong with the name of a section or key; empty when nothing is. MRPT looks names up
+ * without regard to case, so `Seed` beside `seed` would go unnoticed. */
+std::string fault_of_name(const std::string& name)
 {
     const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
-    if (std::any_of(name.begin(), name.end(), is_capital))
-        throw std::invalid_argument("'" + name +
-                                    "' has capital letters; all names are in small ones");
-    return name;
+    if (std::none_of(name.begin(), name.end(), is_capital)) return "";
+    return "'" + name + "' has capital letters; all names are in small ones";
 }
 
 bool starts_with(const std::string& text, const std::string& prefix)
@@ -69,7 +68,8 @@ class StrictCopier
     void open_section(const std::string& line)
     {
         if (line.back() != ']') fail("'" + line + "' lacks its closing bracket");
-        section_ = small_letters(trimmed(line.substr(1, line.size() - 2)));
+        section_ = trimmed(line.substr(1, line.size() - 2));
+        check_name(section_);
         if (!seen_.insert("[" + section_).second) fail("section [" + section_ + "] stands twice");
     }
 
@@ -79,23 +79,18 @@ class StrictCopier
         if (equals == std::string::npos)
             fail("'" + line + "' is neither '[section]' nor 'key = value'");
         if (section_.empty()) fail("'" + line + "' stands before the first [section]");
-        const auto key = small_letters(trimmed(line.substr(0, equals)));
+        const auto key = trimmed(line.substr(0, equals));
+        check_name(key);
         if (key.empty()) fail("'" + line + "' has no key before the '='");
         if (!seen_.insert(section_ + "." + key).second)
             fail("key '" + key + "' stands twice in [" + section_ + "]");
         target_.write(section_, key, trimmed(line.substr(equals + 1)));
     }
 
-    std::string small_letters(const std::string& name) const
+    void check_name(const std::string& name) const
     {
-        try
-        {
-            return require_small_letters(name);
-        }
-        catch (const std::invalid_argument& error)
-        {
-            fail(error.what());
-        }
+        const auto fault = fault_of_name(name);
+        if (!fault.empty()) fail(fault);
     }
 
     [[noreturn]] void fail(const std::string& reason) const
@@ -139,9 +134,12 @@ void apply_overrides(mrpt::config::CConfigFileMemory& config,
         if (equals == std::string::npos || dot == std::string::npos || dot == 0 ||
             dot + 1 >= equals)
             throw std::invalid_argument("'" + text + "' is not of the form section.key=value");
-        config.write(require_small_letters(trimmed(text.substr(0, dot))),
-                     require_small_letters(trimmed(text.substr(dot + 1, equals - dot - 1))),
-                     trimmed(text.substr(equals + 1)));
+        const auto section = trimmed(text.substr(0, dot));
+        const auto key = trimmed(text.substr(dot + 1, equals - dot - 1));
+        for (const auto& name : {section, key})
+            if (const auto fault = fault_of_name(name); !fault.empty())
+                throw std::invalid_argument(fault);
+        config.write(section, key, trimmed(text.substr(equals + 1)));
     }
 }
 

@@ -99,17 +99,17 @@ DetectorOutcome LoopDetector::find_loop(const FrameDescription& query, StageTime
     }
     if (candidates.empty()) return {verdict_of(query, Rejection::no_candidate), {}, {}};
 
-    DetectorOutcome furthest{verdict_of(query, Rejection::below_similarity), {}, {}};
-    furthest.verdict.candidate = candidates.front();
-    bool first = true;
+    std::optional<DetectorOutcome> furthest;
     for (const auto& candidate : candidates)
     {
         if (candidate.similarity < min_similarity_) break;  // most similar first
         auto outcome = verify(query, candidate, times);
-        if (first || came_further(outcome, furthest)) furthest = std::move(outcome);
-        first = false;
+        if (!furthest || came_further(outcome, *furthest)) furthest = std::move(outcome);
     }
-    return furthest;
+    if (furthest) return std::move(*furthest);
+    DetectorOutcome unlike{verdict_of(query, Rejection::below_similarity), {}, {}};
+    unlike.verdict.candidate = candidates.front();
+    return unlike;
 }
 
 DetectorOutcome LoopDetector::verify(const FrameDescription& query,
