@@ -11,8 +11,9 @@ only its tests need. Asks for sudo when not root, and for nothing when all are t
 packages=(
   g++ cmake ninja-build                 # to build
   libmrpt-common-dev libmrpt-config-dev libmrpt-img-dev libmrpt-io-dev libmrpt-obs-dev
-  libmrpt-maps-dev libmrpt-poses-dev libmrpt-serialization-dev libmrpt-system-dev
-  libmrpt-tclap-dev
+  libmrpt-maps-dev libmrpt-opengl-dev libmrpt-poses-dev libmrpt-serialization-dev
+  libmrpt-system-dev libmrpt-tclap-dev
+  libosmesa6-dev                        # off-screen drawing
   libopencv-dev                         # images, network inference, fundamental matrix
   libhnswlib-dev                        # proximity graph
   nlohmann-json3-dev                    # summary.json

@@ -11,6 +11,7 @@ write_basic_package_version_file(
 install(FILES
   ${PROJECT_BINARY_DIR}/mrpt-fild-config.cmake
   ${PROJECT_BINARY_DIR}/mrpt-fild-config-version.cmake
+  libs/cmake/FindOSMesa.cmake
   libs/cmake/Findhnswlib.cmake
   DESTINATION ${FILD_CMAKE_DIR})
 install(DIRECTORY config-ini DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild)
