@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "town_plan.h"
+
+#include <vector>
+
+namespace mrpt::opengl
+{
+class COpenGLScene;
+}
+
+namespace fild
+{
+void add_trees(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& trees);
+void add_lamp_posts(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& lamp_posts);
+void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& cars);
+
+}  // namespace fild

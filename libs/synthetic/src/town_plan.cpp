@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "town_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace fild
+{
+namespace
+{
+/** The four rows of a block; those along y stand between the ends of those along x. */
+void add_block(std::vector<HouseRow>& rows, const cv::Rect2d& block)
+{
+    const auto left = block.x;
+    const auto right = block.x + block.width;
+    const auto bottom = block.y;
+    const auto top = block.y + block.height;
+    const auto side = block.height - 2 * kHouseDepth;
+    rows.push_back({{left, bottom}, {1, 0}, block.width, true, {}});
+    rows.push_back({{right, top}, {-1, 0}, block.width, true, {}});
+    rows.push_back({{right, bottom + kHouseDepth}, {0, 1}, side, false, {}});
+    rows.push_back({{left, top - kHouseDepth}, {0, -1}, side, false, {}});
+}
+
+/** Rows around the town, in pieces no longer than a texture can be. */
+void add_surrounding_rows(std::vector<HouseRow>& rows, const StreetGrid& grid)
+{
+    const auto all = grid.bounds();
+    const auto right = all.x + all.width;
+    const auto top = all.y + all.height;
+    for (int i = 0; i < grid.columns; ++i)
+    {
+        const auto length = all.width / grid.columns;
+        rows.push_back({{right - i * length, all.y}, {-1, 0}, length, false, {}});
+        rows.push_back({{all.x + i * length, top}, {1, 0}, length, false, {}});
+    }
+    for (int j = 0; j < grid.rows; ++j)
+    {
+        const auto length = all.height / grid.rows;
+        rows.push_back({{all.x, all.y + j * length}, {0, 1}, length, false, {}});
+        rows.push_back({{right, top - j * length}, {0, -1}, length, false, {}});
+    }
+}
+
+/** Fills a row from left to right; the last house takes what is left.
+ *  \param model  houses whose designs are repeated, as far as they reach; may be empty. */
+std::vector<House> build_row(double length, const std::vector<House>& model, Lot& lot)
+{
+    constexpr double kNarrowest = 7;
+    constexpr double kWidest = 13;
+    std::vector<House> houses;
+    double offset = 0;
+    while (offset < length)
+    {
+        const auto index = houses.size();
+        House house;
+        house.offset = offset;
+        house.design = index < model.size() ? model[index].design
+                                            : design_facade(lot.real(kNarrowest, kWidest), lot);
+        house.wear = lot.seed();
+        const auto left_over = length - offset - house.design.width;
+        if (left_over < kNarrowest) house.design.width += left_over;
+        offset += house.design.width;
+        houses.push_back(house);
+    }
+    return houses;
+}
+
+void build_rows(std::vector<HouseRow>& rows, double look_alikes, Lot& lot)
+{
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+        std::vector<House> model;
+        if (i > 0 && lot.chance(look_alikes))
+            model = rows[static_cast<std::size_t>(lot.whole(0, static_cast<int>(i) - 1))].houses;
+        rows[i].houses = build_row(rows[i].length, model, lot);
+    }
+}
+
+/** Places every `least` to `most` metres along a row, clear of its ends. */
+std::vector<Place> places_along(
+    const HouseRow& row, double out, double clear, double least, double most, Lot& lot)
+{
+    std::vector<Place> places;
+    const auto heading = std::atan2(-row.along.y, -row.along.x);  // the fronts are on the right
+    for (double right = clear; right < row.length - clear; right += lot.real(least, most))
+        places.push_back({row.at(right, out), heading, lot.seed()});
+    return places;
+}
+
+void append(std::vector<Place>& all, const std::vector<Place>& more)
+{
+    all.insert(all.end(), more.begin(), more.end());
+}
+}  // namespace
+
+TownPlan plan_town(const TTownOptions& options)
+{
+    TownPlan plan;
+    plan.grid.columns = options.columns;
+    plan.grid.rows = options.rows;
+    plan.grid.block_length = options.block_length_m;
+    plan.grid.block_width = options.block_width_m;
+    for (int i = 0; i < options.columns; ++i)
+        for (int j = 0; j < options.rows; ++j) add_block(plan.rows, plan.grid.block(i, j));
+    add_surrounding_rows(plan.rows, plan.grid);
+    Lot lot(static_cast<std::uint64_t>(options.seed));
+    build_rows(plan.rows, options.look_alikes, lot);
+    constexpr double kCornerClear = 6;
+    constexpr double kBay = 6;
+    const auto by_the_kerb = plan.grid.pavement - 0.6;
+    const auto in_the_bay = plan.grid.pavement + 1;
+    for (const auto& row : plan.rows)
+    {
+        append(plan.trees, places_along(row, by_the_kerb, 4, 8, 22, lot));
+        append(plan.lamp_posts, places_along(row, by_the_kerb, 3, 20, 24, lot));
+        append(plan.parking_bays, places_along(row, in_the_bay, kCornerClear, kBay, kBay, lot));
+    }
+    return plan;
+}
+
+std::vector<Place> parked_cars(const TownPlan& plan, std::uint64_t seed)
+{
+    constexpr double kTaken = 0.45;
+    Lot lot(seed);
+    std::vector<Place> cars;
+    for (auto bay : plan.parking_bays)
+    {
+        bay.seed = lot.seed();
+        const bool taken = lot.chance(kTaken);
+        if (taken) cars.push_back(bay);
+    }
+    return cars;
+}
+
+}  // namespace fild
