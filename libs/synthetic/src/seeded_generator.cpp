@@ -12,9 +12,4 @@ std::mt19937_64 seeded_generator(std::uint64_t seed, RandomPurpose purpose, std:
     return std::mt19937_64(words);
 }
 
-double uniform_unit(std::mt19937_64& generator)
-{
-    return static_cast<double>(generator() >> 11U) * 0x1.0p-53;
-}
-
 }  // namespace fild

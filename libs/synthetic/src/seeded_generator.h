@@ -13,7 +13,8 @@ enum class RandomPurpose : std::uint32_t
     lane_offset,
     heading,
     suspension,
-    lap_conditions,
+    light,
+    parked_cars,
     image_noise,
     odometry_bias,
     odometry_noise,
@@ -23,8 +24,5 @@ enum class RandomPurpose : std::uint32_t
 /** A generator of its own for each seed, purpose and index (a frame, a lap, a component); the
  *  same numbers with every standard library. */
 std::mt19937_64 seeded_generator(std::uint64_t seed, RandomPurpose purpose, std::uint64_t index);
-
-/** Uniform in [0, 1). */
-double uniform_unit(std::mt19937_64& generator);
 
 }  // namespace fild
