@@ -95,7 +95,7 @@ double speed_at(const TRouteOptions& options, const LanePoint& point)
 /** Ways along the path at which the frames are taken. */
 std::vector<double> frame_ways(const TRouteOptions& options, const LanePath& path)
 {
-    constexpr double kStep = 0.01;  // m
+    constexpr double kStep = 0.05;  // m
     const auto wanted = static_cast<std::size_t>(options.max_frames);
     std::vector<double> ways;
     double seconds = 0;
