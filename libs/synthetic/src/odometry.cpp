@@ -7,6 +7,7 @@
 
 #include <mrpt/poses/CPose3D.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -121,6 +122,12 @@ std::vector<TPose3D> drifting_odometry(const std::vector<TPose3D>& map_from_robo
         odometry.push_back(start_from_robot.asTPose());
     }
     return odometry;
+}
+
+OdometryDeviation odometry_deviation(double drift_percent, double metres)
+{
+    return {std::max(1e-3, drift_percent * metres / 100),
+            std::max(1e-4, drift_percent * metres * kHeadingBias)};
 }
 
 }  // namespace fild

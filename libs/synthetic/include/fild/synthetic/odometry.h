@@ -31,4 +31,15 @@ std::vector<mrpt::math::TPose3D> drifting_odometry(
     double drift_percent,
     std::uint64_t seed);
 
+/** Standard deviations of an odometry. Value type. */
+struct OdometryDeviation
+{
+    double position_m = 0;  ///< along each axis
+    double heading_rad = 0;
+};
+
+/** A rough model of how far drifting_odometry() is off after so many metres: in proportion to them,
+ *  and never 0, so that a covariance made from it can be inverted. */
+OdometryDeviation odometry_deviation(double drift_percent, double metres);
+
 }  // namespace fild

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/camera_model.h"
+#include "fild/core/options.h"
+#include "fild/core/verdict.h"
+
+#include <mrpt/math/TPose3D.h>
+#include <opencv2/core/mat.hpp>
+
+#include <iosfwd>
+#include <memory>
+#include <vector>
+
+namespace fild
+{
+/** Section [truth] of synthetic-rawlog: which pairs of frames count as a loop. */
+struct TTruthOptions : Options
+{
+    double overlap = 0.4;  ///< least share of the candidate's pixels that the query sees too
+    /** Earlier frames younger than this are no candidates; the delay of config-ini/default.ini. */
+    double min_age_seconds = 20;
+    double max_distance_m = 10;  ///< between the cameras
+    double max_angle_deg = 45;  ///< between the optical axes: the same direction of travel
+
+ protected:
+    void describe(OptionVisitor& visitor) override;
+};
+
+/** Two frames that see the same place from a near viewpoint. Value type. */
+struct LoopPair
+{
+    FrameId query{};
+    FrameId candidate{};  ///< the earlier one
+    double overlap = 0;  ///< share of the candidate's pixels that the query sees
+};
+
+/** Finds all loops of a drive from what the cameras truly see.
+ *
+ *  For a query and an earlier frame that is old, near and turned the same way enough, a grid of the
+ *  earlier frame's pixels is taken into space by their depth and projected into the query. A pixel
+ *  is seen there when it falls into the image and the query's depth at that place agrees, within
+ *  3 % and 0.1 m; so what stands before it hides it. Pixels without depth (the sky) do not count.
+ *  Keeps some 1,000 points of each frame. Deterministic. Not thread-safe: one caller at a time. */
+class LoopTruth
+{
+ public:
+    /** \param camera  of all frames, a pinhole. \throw std::invalid_argument on bad options. */
+    LoopTruth(const TTruthOptions& options, const CameraModel& camera);
+    LoopTruth(const LoopTruth&) = delete;
+    LoopTruth& operator=(const LoopTruth&) = delete;
+    ~LoopTruth();
+
+    /** Takes the next frame and finds its loops with all before. Cost: the number of earlier frames,
+     *  and a projection of the points of those near.
+     *  \param map_from_camera  x right, y down, z forward.
+     *  \param depth  float, metres along the optical axis, of the camera's size; 0: none.
+     *  \throw std::invalid_argument when depth is of another size or kind. */
+    void add(double seconds, const mrpt::math::TPose3D& map_from_camera, const cv::Mat& depth);
+
+    /** All loops up to now, by query, then candidate. */
+    const std::vector<LoopPair>& pairs() const;
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/** Writes loops as loop-closure-eval reads them: a line "query candidate" each, after lines that
+ *  begin with '#' and say how they were found. */
+void write_loops(std::ostream& out,
+                 const TTruthOptions& options,
+                 const std::vector<LoopPair>& pairs);
+
+}  // namespace fild

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/synthetic/loop_truth.h"
+
+#include <mrpt/poses/CPose3D.h>
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+using mrpt::poses::CPose3D;
+
+constexpr double kRadPerDeg = 0.017453292519943295;
+constexpr int kGridColumns = 40;  // of the pixels that stand for a frame
+constexpr double kDepthTolerance = 0.03;  // share of the depth ...
+constexpr double kDepthToleranceM = 0.1;  // ... plus so many metres
+
+/** What is kept of a frame. */
+struct SeenFrame
+{
+    double seconds = 0;
+    CPose3D map_from_camera;
+    std::vector<cv::Point3f> points;  ///< of the camera: x right, y down, z forward
+};
+
+std::vector<cv::Point3f> grid_points(const CameraModel& camera, const cv::Mat& depth)
+{
+    const int step = std::max(1, camera.width / kGridColumns);
+    std::vector<cv::Point3f> points;
+    for (int v = step / 2; v < depth.rows; v += step)
+        for (int u = step / 2; u < depth.cols; u += step)
+        {
+            const auto z = static_cast<double>(depth.at<float>(v, u));
+            if (z > 0)
+                points.emplace_back(
+                    (u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z);
+        }
+    return points;
+}
+
+bool agrees(double depth, double z)
+{
+    return depth > 0 && std::abs(depth - z) <= kDepthTolerance * z + kDepthToleranceM;
+}
+
+/** Depth between four pixels: on a plane, 1 / depth is linear in the image. 0 when one has none. */
+double interpolated_depth(const cv::Mat& depth, double u, double v)
+{
+    const int left = std::min(static_cast<int>(u), depth.cols - 2);
+    const int top = std::min(static_cast<int>(v), depth.rows - 2);
+    double inverse = 0;
+    for (int dy = 0; dy < 2; ++dy)
+        for (int dx = 0; dx < 2; ++dx)
+        {
+            const auto corner = static_cast<double>(depth.at<float>(top + dy, left + dx));
+            if (corner <= 0) return 0;
+            const double weight = (1 - std::abs(u - left - dx)) * (1 - std::abs(v - top - dy));
+            inverse += weight / corner;
+        }
+    return 1 / inverse;
+}
+
+/** True when a point in space, in the camera's axes, is what the camera sees where it projects. */
+bool sees(const CameraModel& camera, const cv::Mat& depth, const cv::Point3d& point)
+{
+    if (point.z <= 0) return false;
+    const double u = camera.fx * point.x / point.z + camera.cx;
+    const double v = camera.fy * point.y / point.z + camera.cy;
+    if (u < 0 || v < 0 || u > camera.width - 1 || v > camera.height - 1) return false;
+    const auto nearest = static_cast<double>(depth.at<float>(cvRound(v), cvRound(u)));
+    return agrees(nearest, point.z) || agrees(interpolated_depth(depth, u, v), point.z);
+}
+
+cv::Point3d axis_of(const CPose3D& map_from_camera)
+{
+    const auto ahead = map_from_camera.rotateVector({0, 0, 1});
+    return {ahead.x, ahead.y, ahead.z};
+}
+}  // namespace
+
+struct LoopTruth::State
+{
+    bool is_near(const SeenFrame& query, const SeenFrame& candidate) const;
+    double overlap(const SeenFrame& query,
+                   const cv::Mat& query_depth,
+                   const SeenFrame& candidate) const;
+
+    TTruthOptions options;
+    CameraModel camera;
+    std::vector<SeenFrame> frames;
+    std::vector<LoopPair> pairs;
+};
+
+bool LoopTruth::State::is_near(const SeenFrame& query, const SeenFrame& candidate) const
+{
+    const auto& a = query.map_from_camera;
+    const auto& b = candidate.map_from_camera;
+    return query.seconds - candidate.seconds >= options.min_age_seconds &&
+           a.distanceTo(b) <= options.max_distance_m &&
+           axis_of(a).dot(axis_of(b)) >= std::cos(options.max_angle_deg * kRadPerDeg);
+}
+
+double LoopTruth::State::overlap(const SeenFrame& query,
+                                 const cv::Mat& query_depth,
+                                 const SeenFrame& candidate) const
+{
+    if (candidate.points.empty()) return 0;
+    const auto query_from_candidate = candidate.map_from_camera - query.map_from_camera;
+    const auto seen = std::count_if(
+        candidate.points.begin(),
+        candidate.points.end(),
+        [&](const cv::Point3f& p)
+        {
+            const auto point = query_from_candidate.composePoint(
+                mrpt::math::TPoint3D(static_cast<double>(p.x), static_cast<double>(p.y),
+                                     static_cast<double>(p.z)));
+            return sees(camera, query_depth, {point.x, point.y, point.z});
+        });
+    return static_cast<double>(seen) / static_cast<double>(candidate.points.size());
+}
+
+LoopTruth::LoopTruth(const TTruthOptions& options, const CameraModel& camera)
+    : state_(std::make_unique<State>())
+{
+    options.check();
+    if (camera.lens != LensModel::none || camera.width < 2 || camera.height < 2)
+        throw std::invalid_argument("LoopTruth: the camera is no pinhole of 2x2 pixels or more");
+    state_->options = options;
+    state_->camera = camera;
+}
+
+LoopTruth::~LoopTruth() = default;
+
+void LoopTruth::add(double seconds,
+                    const mrpt::math::TPose3D& map_from_camera,
+                    const cv::Mat& depth)
+{
+    auto& [options, camera, frames, pairs] = *state_;
+    if (depth.type() != CV_32FC1 || depth.cols != camera.width || depth.rows != camera.height)
+        throw std::invalid_argument("LoopTruth::add: depth is not float of the camera's size");
+    SeenFrame query{seconds, CPose3D(map_from_camera), grid_points(camera, depth)};
+    const FrameId query_id{frames.size()};
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+        if (!state_->is_near(query, frames[i])) continue;
+        const double overlap = state_->overlap(query, depth, frames[i]);
+        if (overlap >= options.overlap) pairs.push_back({query_id, FrameId{i}, overlap});
+    }
+    frames.push_back(std::move(query));
+}
+
+const std::vector<LoopPair>& LoopTruth::pairs() const
+{
+    return state_->pairs;
+}
+
+void TTruthOptions::describe(OptionVisitor& visitor)
+{
+    visitor.real("overlap", overlap, 0.01, 1);
+    visitor.real("min_age_seconds", min_age_seconds, 0, 1e6);
+    visitor.real("max_distance_m", max_distance_m, 0, 1000);
+    visitor.real("max_angle_deg", max_angle_deg, 0, 180);
+}
+
+void write_loops(std::ostream& out,
+                 const TTruthOptions& options,
+                 const std::vector<LoopPair>& pairs)
+{
+    out << "# query candidate (0-based camera frames; the candidate is the earlier one)\n"
+        << "# the share `overlap` or more of the candidate's pixels is seen in the query;";
+    for (const auto& [key, value] : options.values()) out << " " << key << "=" << value;
+    out << "\n";
+    for (const auto& pair : pairs)
+        out << to_index(pair.query) << " " << to_index(pair.candidate) << "\n";
+}
+
+}  // namespace fild

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/synthetic/loop_truth.h"
+
+#include "flat_scene.h"
+#include "message_of.h"
+
+#include <sstream>
+
+namespace
+{
+using fild::CameraModel;
+using fild::FrameId;
+using fild::LoopPair;
+using fild::LoopTruth;
+using fild::TTruthOptions;
+using fild::testing::draw_panels;
+using fild::testing::Panel;
+using mrpt::math::TPose3D;
+using mrpt::poses::CPose3D;
+using ::testing::HasSubstr;
+
+/** 90 degrees wide and high. */
+CameraModel camera()
+{
+    CameraModel model;
+    model.width = model.height = 160;
+    model.fx = model.fy = 80;
+    model.cx = model.cy = 79.5;
+    return model;
+}
+
+/** A camera 5 m over the ground that looks along x, turned by a yaw. */
+TPose3D at(double x, double y, double yaw_deg = 0)
+{
+    return (CPose3D(x, y, 5, yaw_deg * M_PI / 180, 0, 0) +
+            CPose3D(0, 0, 0, -M_PI / 2, 0, -M_PI / 2))
+        .asTPose();
+}
+
+/** Fills the view of a camera 10 m before it, and no more: 20 m x 20 m, 10 m over the ground. */
+Panel filling_wall(double x = 10)
+{
+    return {{x, 0, 5}, {0, 10, 0}, {0, 0, 10}};
+}
+
+/** Larger than any view of it. */
+Panel wide_wall(double x)
+{
+    return {{x, 0, 5}, {0, 200, 0}, {0, 0, 200}};
+}
+
+/** Any overlap counts. */
+TTruthOptions lenient()
+{
+    TTruthOptions options;
+    options.overlap = 0.01;
+    return options;
+}
+
+/** The loops of frames 30 s apart. */
+std::vector<LoopPair> loops(const TTruthOptions& options,
+                            const std::vector<Panel>& panels,
+                            const std::vector<TPose3D>& poses)
+{
+    LoopTruth truth(options, camera());
+    double seconds = 0;
+    for (const auto& pose : poses)
+    {
+        truth.add(seconds, pose, draw_panels(panels, camera(), CPose3D(pose)).depth);
+        seconds += 30;
+    }
+    return truth.pairs();
+}
+
+/** The overlap of the second frame with the first; 0: no loop. */
+double overlap(const std::vector<Panel>& panels, const TPose3D& first, const TPose3D& second)
+{
+    const auto pairs = loops(lenient(), panels, {first, second});
+    return pairs.empty() ? 0 : pairs.front().overlap;
+}
+
+TEST(LoopTruth, TheSamePoseSeesAll)
+{
+    EXPECT_DOUBLE_EQ(overlap({filling_wall()}, at(0, 0), at(0, 0)), 1);
+}
+
+TEST(LoopTruth, SeesTheShareOfAWallThatIsStillInTheImage)
+{
+    // 20 m of wall are seen from 10 m; a camera 5 m to the left sees 15 m of them still.
+    const Panel wide = wide_wall(10);
+    EXPECT_NEAR(overlap({wide}, at(0, 0), at(0, 5)), 0.75, 0.03);
+    EXPECT_NEAR(overlap({wide}, at(0, 0), at(0, -8)), 0.6, 0.03);
+    // From 8 m: 16 m x 16 m of 20 m x 20 m.
+    EXPECT_NEAR(overlap({wide}, at(0, 0), at(2, 0)), 0.64, 0.03);
+    // From 12 m all of it.
+    EXPECT_NEAR(overlap({wide}, at(2, 0), at(0, 0)), 1, 0.001);
+}
+
+TEST(LoopTruth, SeesNothingThroughAnOccluder)
+{
+    // Seen from (0, 0) only the wall; the board hides half of it from (0, 4), which it stands
+    // before: y > 4 of the wall, as seen from there, and beyond the first camera's image.
+    const Panel wide = wide_wall(10);
+    const Panel board{{6, 14, 5}, {0, 10, 0}, {0, 0, 50}};
+    const double without = overlap({wide}, at(0, 0), at(0, 4));
+    const double with = overlap({wide, board}, at(0, 0), at(0, 4));
+    EXPECT_NEAR(without, 0.8, 0.03);
+    EXPECT_LT(with, without);
+    // The first camera sees y in [-10, 10] of the wall, from y = 4 * 10 / 6 = 6.7 on the board.
+    // The second sees the wall for y in [-6, 4] of that, and the board's y in [4, 10].
+    const double board_from = 4;
+    const double wall_seen = board_from + 6;  // m of the wall that both see
+    const double board_share = (1 - board_from / 6) / 2;  // of the first image
+    EXPECT_NEAR(with, wall_seen / 20 + board_share, 0.04);
+}
+
+TEST(LoopTruth, AWallBetweenTheCamerasHidesAll)
+{
+    const Panel far_wall = wide_wall(30);
+    const Panel near_wall = wide_wall(2);
+    EXPECT_EQ(overlap({far_wall, near_wall}, at(3, 0), at(0, 0)), 0);
+}
+
+TEST(LoopTruth, DoesNotCountTheSky)
+{
+    // The wall fills a quarter of the first view; of that all is seen.
+    Panel small = filling_wall();
+    small.half_width *= 0.5;
+    small.half_height *= 0.5;
+    EXPECT_NEAR(overlap({small}, at(0, 0), at(0, 2)), 1, 0.001);
+    EXPECT_NEAR(overlap({small}, at(0, 0), at(-3, 0)), 1, 0.001);
+}
+
+TEST(LoopTruth, NothingButSkyIsNoLoop)
+{
+    EXPECT_TRUE(loops(lenient(), {}, {at(0, 0), at(0, 0)}).empty());
+}
+
+TEST(LoopTruth, SeesGroundAtAFlatAngle)
+{
+    const Panel ground{{0, 0, 3.4}, {500, 0, 0}, {0, 500, 0}};
+    EXPECT_GT(overlap({ground}, at(0, 0), at(-1, 0)), 0.97);
+    EXPECT_GT(overlap({ground}, at(0, 0), at(-1, 0.7, 1)), 0.97);
+}
+
+TEST(LoopTruth, TheOppositeDirectionIsNoLoop)
+{
+    const std::vector<Panel> panels{filling_wall(10), filling_wall(-10)};
+    EXPECT_EQ(overlap(panels, at(0, 0), at(0, 0, 180)), 0);
+    auto options = lenient();
+    options.max_angle_deg = 180;
+    EXPECT_TRUE(loops(options, panels, {at(0, 0), at(0, 0, 180)}).empty());
+}
+
+TEST(LoopTruth, KeepsToItsLimits)
+{
+    const Panel wide = wide_wall(40);
+    EXPECT_GT(overlap({wide}, at(0, 0), at(0, 9.9)), 0);
+    EXPECT_EQ(overlap({wide}, at(0, 0), at(0, 10.1)), 0);
+    EXPECT_GT(overlap({wide}, at(0, 0), at(0, 0, 44)), 0);
+    EXPECT_EQ(overlap({wide}, at(0, 0), at(0, 0, 46)), 0);
+    auto options = lenient();
+    options.min_age_seconds = 30;
+    EXPECT_FALSE(loops(options, {wide}, {at(0, 0), at(0, 0)}).empty());
+    options.min_age_seconds = 30.5;
+    EXPECT_TRUE(loops(options, {wide}, {at(0, 0), at(0, 0)}).empty());
+    options = lenient();
+    options.overlap = 0.8;
+    EXPECT_TRUE(loops(options, {wide}, {at(0, 0), at(10, 0)}).empty());
+}
+
+TEST(LoopTruth, FindsAllPairsInOrder)
+{
+    const auto pairs = loops(lenient(), {filling_wall()}, {at(0, 0), at(0, 1), at(0, 0), at(0, 2)});
+    std::ostringstream found;
+    for (const auto& pair : pairs)
+        found << to_index(pair.query) << "-" << to_index(pair.candidate) << " ";
+    EXPECT_EQ(found.str(), "1-0 2-0 2-1 3-0 3-1 3-2 ");
+}
+
+TEST(LoopTruth, RefusesDepthThatIsNotTheCameras)
+{
+    LoopTruth truth(lenient(), camera());
+    EXPECT_THROW(truth.add(0, at(0, 0), cv::Mat(160, 159, CV_32FC1)), std::invalid_argument);
+    EXPECT_THROW(truth.add(0, at(0, 0), cv::Mat(160, 160, CV_16UC1)), std::invalid_argument);
+    EXPECT_THROW(truth.add(0, at(0, 0), cv::Mat()), std::invalid_argument);
+}
+
+TEST(LoopTruth, RefusesBadOptions)
+{
+    auto options = lenient();
+    options.overlap = 0;
+    EXPECT_THROW(LoopTruth(options, camera()), std::invalid_argument);
+    auto lens = camera();
+    lens.lens = fild::LensModel::plumb_bob;
+    EXPECT_THROW(LoopTruth(lenient(), lens), std::invalid_argument);
+}
+
+TEST(WriteLoops, WritesAHeaderAndALineAPair)
+{
+    std::ostringstream out;
+    write_loops(out, TTruthOptions(), {{FrameId{7}, FrameId{1}, 0.5}, {FrameId{8}, FrameId{0}, 1}});
+    std::istringstream lines(out.str());
+    std::string line;
+    std::string header;
+    while (std::getline(lines, line) && line[0] == '#') header += line;
+    EXPECT_THAT(header, HasSubstr("overlap=0.4"));
+    EXPECT_THAT(header, HasSubstr("min_age_seconds=20"));
+    EXPECT_EQ(line, "7 1");
+    std::getline(lines, line);
+    EXPECT_EQ(line, "8 0");
+    EXPECT_FALSE(std::getline(lines, line));
+}
+
+}  // namespace
