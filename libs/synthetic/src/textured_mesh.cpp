@@ -12,6 +12,16 @@ mrpt::math::TPoint3Df mrpt_point(const cv::Point3d& point)
     return {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)};
 }
 
+/** Larger triangles lose accuracy where they reach past the camera: Mesa's software renderer
+ *  interpolates depth over the whole triangle in single precision. */
+constexpr double kLargestSide_m = 2.5;
+
+Corner mixed(const Corner& a, const Corner& b, double share_of_b)
+{
+    return {a.at + share_of_b * (b.at - a.at),
+            a.in_picture + share_of_b * (b.in_picture - a.in_picture)};
+}
+
 cv::Point3d unit(const cv::Point3d& vector)
 {
     return vector / std::max(cv::norm(vector), 1e-9);
@@ -43,8 +53,22 @@ void TexturedMesh::add_triangle(const Corner& a, const Corner& b, const Corner& 
 
 void TexturedMesh::add_quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d)
 {
-    add_triangle(a, b, c);
-    add_triangle(a, c, d);
+    const auto cells = [](double metres)
+    { return std::max(1, static_cast<int>(std::ceil(metres / kLargestSide_m))); };
+    const int across = cells(cv::norm(b.at - a.at));
+    const int up = cells(cv::norm(d.at - a.at));
+    const auto corner = [&](int i, int j)
+    {
+        const auto u = static_cast<double>(i) / across;
+        const auto v = static_cast<double>(j) / up;
+        return mixed(mixed(a, b, u), mixed(d, c, u), v);
+    };
+    for (int i = 0; i < across; ++i)
+        for (int j = 0; j < up; ++j)
+        {
+            add_triangle(corner(i, j), corner(i + 1, j), corner(i + 1, j + 1));
+            add_triangle(corner(i, j), corner(i + 1, j + 1), corner(i, j + 1));
+        }
 }
 
 void TexturedMesh::add_panel(const std::array<cv::Point3d, 4>& corners, const cv::Rect2d& part)

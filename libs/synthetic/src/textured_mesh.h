@@ -24,7 +24,7 @@ class TexturedMesh
 
     /** Corners counter-clockwise as seen from the side that is seen. */
     void add_triangle(const Corner& a, const Corner& b, const Corner& c);
-    /** The same; a, b, c, d go around. */
+    /** The same for a rectangle, in small triangles; a, b, c, d go around. */
     void add_quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
     /** A quad that shows `part` of the picture upright: corners bottom left, bottom right, top
      *  right, top left. */

@@ -230,6 +230,7 @@ void Town::Parts::build(const LapConditions& conditions)
 {
     renderer.reset();
     auto scene = std::make_shared<mrpt::opengl::COpenGLScene>();
+    scene->getViewport()->setCustomBackgroundColor({0.62F, 0.66F, 0.60F});  // fields around
     const auto sun = towards_sun(conditions);
     auto& light = scene->getViewport()->lightParameters();
     light.ambient = {0.62F, 0.62F, 0.62F};

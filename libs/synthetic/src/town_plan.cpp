@@ -89,6 +89,16 @@ std::vector<Place> places_along(
     return places;
 }
 
+/** Whether a row passes the mouth of a street, where no car may stand. */
+bool at_a_crossing(const StreetGrid& grid, const HouseRow& row, const cv::Point2d& at)
+{
+    constexpr double kClear = 5;
+    const bool along_x = row.along.y == 0;
+    const auto pitch = (along_x ? grid.block_length : grid.block_width) + grid.street_width();
+    const auto from_street = std::abs(std::remainder(along_x ? at.x : at.y, pitch));
+    return from_street < grid.carriageway / 2 + kClear;
+}
+
 void append(std::vector<Place>& all, const std::vector<Place>& more)
 {
     all.insert(all.end(), more.begin(), more.end());
@@ -107,7 +117,6 @@ TownPlan plan_town(const TTownOptions& options)
     add_surrounding_rows(plan.rows, plan.grid);
     Lot lot(static_cast<std::uint64_t>(options.seed));
     build_rows(plan.rows, options.look_alikes, lot);
-    constexpr double kCornerClear = 6;
     constexpr double kBay = 6;
     const auto by_the_kerb = plan.grid.pavement - 0.6;
     const auto in_the_bay = plan.grid.pavement + 1;
@@ -115,7 +124,8 @@ TownPlan plan_town(const TTownOptions& options)
     {
         append(plan.trees, places_along(row, by_the_kerb, 4, 8, 22, lot));
         append(plan.lamp_posts, places_along(row, by_the_kerb, 3, 20, 24, lot));
-        append(plan.parking_bays, places_along(row, in_the_bay, kCornerClear, kBay, kBay, lot));
+        for (const auto& bay : places_along(row, in_the_bay, kBay / 2, kBay, kBay, lot))
+            if (!at_a_crossing(plan.grid, row, bay.at)) plan.parking_bays.push_back(bay);
     }
     return plan;
 }

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/synthetic/birds_eye.h"
+
+#include <mrpt/poses/CPose3D.h>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fild
+{
+namespace
+{
+constexpr double kFlightAngle = 0.55;  // rad off the vertical, seen from the south
+
+/** A camera in the air that has all of the town in its picture. */
+class AirView
+{
+ public:
+    AirView(const StreetGrid& grid, int width);
+
+    const CameraModel& camera() const { return camera_; }
+    const mrpt::poses::CPose3D& map_from_camera() const { return map_from_camera_; }
+    cv::Point2d project(const cv::Point3d& in_map) const;
+
+ private:
+    CameraModel camera_;
+    mrpt::poses::CPose3D map_from_camera_;
+};
+
+AirView::AirView(const StreetGrid& grid, int width)
+{
+    const auto all = grid.bounds();
+    constexpr double kHouses = 12;  // around the streets
+    const auto half_width = all.width / 2 + kHouses;
+    const auto half_height = all.height / 2 + kHouses;
+    const auto distance = 2.2 * std::max(half_width, half_height);
+    camera_.width = width;
+    // The nearest row of houses is the widest in the picture.
+    const auto nearest = distance - half_height * std::sin(kFlightAngle);
+    camera_.fx = camera_.fy = 0.98 * nearest * width / 2 / half_width;
+    const auto tilted = 2 * half_height * std::cos(kFlightAngle) * camera_.fy / distance;
+    camera_.height = cvRound(1.22 * tilted);
+    camera_.cx = (camera_.width - 1) / 2.0;
+    camera_.cy = camera_.height * 0.46;
+    const cv::Point2d middle(all.x + all.width / 2, all.y + all.height / 2);
+    map_from_camera_ = mrpt::poses::CPose3D(middle.x,
+                                            middle.y - distance * std::sin(kFlightAngle),
+                                            distance * std::cos(kFlightAngle),
+                                            0,
+                                            0,
+                                            -CV_PI + kFlightAngle);
+}
+
+cv::Point2d AirView::project(const cv::Point3d& in_map) const
+{
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    map_from_camera_.inverseComposePoint(in_map.x, in_map.y, in_map.z, x, y, z);
+    return {camera_.fx * x / z + camera_.cx, camera_.fy * y / z + camera_.cy};
+}
+
+cv::Scalar route_colour(std::size_t index)
+{
+    static const std::vector<cv::Scalar> colours{{40, 40, 230},
+                                                 {235, 200, 30},
+                                                 {30, 200, 250},
+                                                 {230, 60, 200},
+                                                 {60, 220, 60},
+                                                 {250, 140, 90}};
+    return colours[index % colours.size()];
+}
+
+void draw_route(cv::Mat& picture, const AirView& view, const RouteLine& route, std::size_t index)
+{
+    constexpr double kArrowEvery = 50;
+    const auto thickness = std::max(2, picture.cols / 500);
+    double driven = kArrowEvery / 2;
+    for (std::size_t i = 1; i < route.points.size(); ++i)
+    {
+        const auto from = view.project(route.points[i - 1]);
+        const auto to = view.project(route.points[i]);
+        cv::line(picture, from, to, route_colour(index), thickness, cv::LINE_AA);
+        driven += cv::norm(route.points[i] - route.points[i - 1]);
+        if (driven < kArrowEvery) continue;
+        driven = 0;
+        const auto length = std::max(1e-6, cv::norm(to - from));
+        const auto tip = to + (to - from) * (8.0 * thickness / length);
+        cv::arrowedLine(picture, to, tip, route_colour(index), thickness, cv::LINE_AA, 0, 0.7);
+    }
+}
+
+void draw_legend(cv::Mat& picture, const std::vector<RouteLine>& routes)
+{
+    const auto unit = picture.cols / 800.0;
+    const auto row = cvRound(16 * unit);
+    const cv::Rect box(cvRound(8 * unit),
+                       cvRound(8 * unit),
+                       cvRound(190 * unit),
+                       static_cast<int>(routes.size()) * row + cvRound(6 * unit));
+    auto panel = picture(box & cv::Rect({0, 0}, picture.size()));
+    panel = panel * 0.35;
+    for (std::size_t i = 0; i < routes.size(); ++i)
+    {
+        const auto y = box.y + static_cast<int>(i) * row + cvRound(11 * unit);
+        const auto x = box.x + cvRound(6 * unit);
+        cv::line(picture,
+                 {x, y},
+                 {x + cvRound(20 * unit), y},
+                 route_colour(i),
+                 cvRound(3 * unit),
+                 cv::LINE_AA);
+        cv::putText(picture,
+                    routes[i].name,
+                    {x + cvRound(26 * unit), y + cvRound(4 * unit)},
+                    cv::FONT_HERSHEY_SIMPLEX,
+                    0.4 * unit,
+                    {245, 245, 245},
+                    cvRound(0.7 * unit),
+                    cv::LINE_AA);
+    }
+}
+}  // namespace
+
+cv::Mat draw_birds_eye(Town& town,
+                       const std::vector<RouteLine>& routes,
+                       const LapConditions& conditions,
+                       int width)
+{
+    const AirView view(town.grid(), width);
+    auto picture = town.draw(view.camera(), view.map_from_camera(), conditions).image;
+    for (std::size_t i = 0; i < routes.size(); ++i) draw_route(picture, view, routes[i], i);
+    draw_legend(picture, routes);
+    return picture;
+}
+
+}  // namespace fild

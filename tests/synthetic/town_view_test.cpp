@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/synthetic/town.h"
+
+#include "fild/features/surf.h"
+#include "fild/synthetic/birds_eye.h"
+#include "message_of.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mrpt/poses/CPose3D.h>
+#include <opencv2/imgproc.hpp>
+
+namespace
+{
+fild::TTownOptions one_block()
+{
+    fild::TTownOptions options;
+    options.columns = 1;
+    options.rows = 1;
+    options.block_length_m = 40;
+    options.block_width_m = 40;
+    return options;
+}
+
+fild::CameraModel camera(int width = 640, int height = 480)
+{
+    fild::CameraModel model;
+    model.width = width;
+    model.height = height;
+    model.fx = model.fy = 0.66 * width;
+    model.cx = (width - 1) / 2.0;
+    model.cy = (height - 1) / 2.0;
+    return model;
+}
+
+/** A camera 1.5 m over the road that looks along its heading. */
+mrpt::poses::CPose3D on_the_road(double x, double y, double heading)
+{
+    return mrpt::poses::CPose3D(x, y, 1.5, heading, 0, 0) +
+           mrpt::poses::CPose3D(0, 0, 0, -CV_PI / 2, 0, -CV_PI / 2);
+}
+
+double difference(const cv::Mat& a, const cv::Mat& b)
+{
+    return cv::norm(a, b, cv::NORM_L1) / static_cast<double>(a.total() * a.channels());
+}
+
+TEST(Town, HasEnoughDetailForLocalFeatures)
+{
+    fild::Town town(one_block());
+    const fild::SurfExtractor surf(fild::TLocalFeatureOptions{});
+    std::size_t keypoints = 0;
+    constexpr int kViews = 8;
+    for (int i = 0; i < kViews; ++i)
+    {
+        const auto view =
+            town.draw(camera(), on_the_road(6 + 5 * i, -1.75, 0.05 * (i % 3 - 1)), {});
+        cv::Mat grey;
+        cv::cvtColor(view.image, grey, cv::COLOR_BGR2GRAY);
+        keypoints += surf.extract(grey).size();
+    }
+    EXPECT_GT(keypoints / kViews, 500U);
+}
+
+TEST(Town, TheRoadIsLevelAndTheSkyHasNoDepth)
+{
+    fild::Town town(one_block());
+    const auto model = camera();
+    const auto view = town.draw(model, on_the_road(5, 0, 0), {});
+    for (const int row : {300, 360, 479})
+    {
+        const auto expected = model.fy * 1.5 / (row - model.cy);
+        EXPECT_NEAR(view.depth.at<float>(row, 320), expected, 0.003 * expected) << row;
+    }
+    EXPECT_EQ(view.depth.at<float>(0, 320), 0);
+}
+
+TEST(Town, TheSameSeedGivesTheSamePixels)
+{
+    const auto view_of = [](int seed)
+    {
+        auto options = one_block();
+        options.seed = seed;
+        fild::Town town(options);
+        return town.draw(camera(320, 240), on_the_road(5, -1.75, 0), {}).image;
+    };
+    const auto first = view_of(1);
+    EXPECT_EQ(difference(first, view_of(1)), 0);
+    EXPECT_GT(difference(first, view_of(2)), 10);
+}
+
+TEST(Town, LapsDifferInLightShadowsAndCarsOnly)
+{
+    fild::Town town(one_block());
+    const auto pose = on_the_road(5, -1.75, 0);
+    const auto model = camera(320, 240);
+    const fild::LapConditions usual;
+    const auto reference = town.draw(model, pose, usual).image;
+    auto conditions = usual;
+    conditions.exposure = 0.7;
+    const auto dark = town.draw(model, pose, conditions).image;
+    EXPECT_NEAR(cv::mean(dark)[1] / cv::mean(reference)[1], 0.7, 0.01);
+    conditions = usual;
+    conditions.sun_azimuth = 4;
+    EXPECT_GT(difference(town.draw(model, pose, conditions).image, reference), 2);
+    conditions = usual;
+    conditions.parked_cars = 99;
+    EXPECT_GT(difference(town.draw(model, pose, conditions).image, reference), 1);
+    EXPECT_EQ(difference(town.draw(model, pose, usual).image, reference), 0);
+}
+
+TEST(Town, RefusesOptionsOutOfRange)
+{
+    auto options = one_block();
+    options.columns = 0;
+    EXPECT_THAT(fild::testing::message_of<std::invalid_argument>([&] { fild::Town town(options); }),
+                ::testing::HasSubstr("columns"));
+}
+
+TEST(BirdsEye, ShowsTheRouteOverTheStreets)
+{
+    fild::Town town(one_block());
+    const fild::RouteLine route{"lap 1", {{0, 0, 0}, {54, 0, 0}, {54, 54, 0}}};
+    const auto without = fild::draw_birds_eye(town, {}, {}, 800);
+    const auto with = fild::draw_birds_eye(town, {route}, {}, 800);
+    ASSERT_EQ(with.size(), without.size());
+    EXPECT_EQ(with.cols, 800);
+    cv::Mat red;
+    cv::inRange(with, cv::Scalar(40, 40, 230), cv::Scalar(40, 40, 230), red);
+    EXPECT_GT(cv::countNonZero(red), 800);
+    cv::inRange(without, cv::Scalar(40, 40, 230), cv::Scalar(40, 40, 230), red);
+    EXPECT_LT(cv::countNonZero(red), 20);
+}
+
+}  // namespace
