@@ -5,6 +5,10 @@
 #include "fild/rawlog/rawlog_reader.h"
 #include "message_of.h"
 
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CRawlog.h>
+#include <mrpt/obs/CSensoryFrame.h>
+
 #include <csignal>
 #include <sys/resource.h>
 
@@ -42,6 +46,29 @@ std::size_t files_in(const TemporaryFolder& folder)
 {
     const std::filesystem::directory_iterator entries(folder.path());
     return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
+}
+
+TEST(RawlogWriter, WritesActionsAndSensoryFrames)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path("out.rawlog");
+    fild::RawlogWriter writer(path);
+    for (const double seconds : {1.0, 2.0})
+    {
+        mrpt::obs::CSensoryFrame frame;
+        frame.insert(image_observation(draw_image(), seconds));
+        writer.write(mrpt::obs::CActionCollection(), frame);
+    }
+    writer.commit();
+    mrpt::obs::CRawlog rawlog;
+    ASSERT_TRUE(rawlog.loadFromRawLogFile(path));
+    ASSERT_EQ(rawlog.size(), 4U);
+    EXPECT_EQ(rawlog.getType(0), mrpt::obs::CRawlog::etActionCollection);
+    EXPECT_EQ(rawlog.getType(1), mrpt::obs::CRawlog::etSensoryFrame);
+    fild::RawlogReader reader(path);
+    EXPECT_EQ(mrpt::Clock::toDouble(reader.next()->timestamp), 1);
+    EXPECT_EQ(mrpt::Clock::toDouble(reader.next()->timestamp), 2);
+    EXPECT_FALSE(reader.next());
 }
 
 TEST(RawlogWriter, WritesWhatTheReaderReads)

@@ -4,8 +4,8 @@
 #include "fild/rawlog/camera_conversion.h"
 #include "fild/rawlog/image_file.h"
 #include "fild/rawlog/rawlog_writer.h"
+#include "fild/rawlog/whole_folder.h"
 #include "image_store.h"
-#include "whole_folder.h"
 
 #include <mrpt/obs/CObservationImage.h>
 

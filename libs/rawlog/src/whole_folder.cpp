@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "whole_folder.h"
+#include "fild/rawlog/whole_folder.h"
 
 #include <stdexcept>
 #include <string>

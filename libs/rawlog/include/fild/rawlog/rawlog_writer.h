@@ -6,8 +6,10 @@
 
 namespace mrpt::obs
 {
+class CActionCollection;
 class CObservation;
-}
+class CSensoryFrame;
+}  // namespace mrpt::obs
 
 namespace fild
 {
@@ -25,6 +27,12 @@ class RawlogWriter
     /** Appends one observation; images as they are, never recompressed as JPEG unless the process
      *  asked MRPT for that. \throw std::runtime_error when the disk is full. */
     void write(const mrpt::obs::CObservation& observation);
+
+    /** Appends one step of a rawlog of actions and sensory frames: what moved the robot, and what
+     *  it saw then. A rawlog is made of such steps or of observations, not of both. Throws as the
+     *  other write(). */
+    void write(const mrpt::obs::CActionCollection& actions,
+               const mrpt::obs::CSensoryFrame& observations);
 
     /** Closes the file and gives it its name; to be called once, nothing may be written after.
      *  \throw std::runtime_error when the disk is full. */

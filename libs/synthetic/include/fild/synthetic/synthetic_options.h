@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/synthetic/lap_conditions.h"
+#include "fild/synthetic/loop_truth.h"
+#include "fild/synthetic/route.h"
+#include "fild/synthetic/sensors.h"
+#include "fild/synthetic/town_options.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fild
+{
+/** All options of a synthetic recording. [town] seed is the seed of everything. Value type. */
+struct TSyntheticOptions
+{
+    TTownOptions town;
+    TRouteOptions route;
+    TConditionsOptions conditions;
+    TSensorOptions sensors;
+    TTruthOptions truth;
+
+    /** The sections of the .ini file that they are. */
+    std::vector<std::pair<std::string, Options*>> sections();
+    /** \throw std::invalid_argument as Options::check() of each, naming the section too. */
+    void check() const;
+};
+
+/** Recordings to begin from. */
+enum class Preset
+{
+    tiny,  ///< for tests: two short laps, some 80 small frames
+    demo,  ///< two laps, some 420 frames of 640x480
+    large  ///< four laps round the largest town, some 2,200 frames of 640x480
+};
+
+/** The options of a preset; all that it does not need otherwise have their defaults. */
+TSyntheticOptions options_of(Preset preset);
+
+}  // namespace fild

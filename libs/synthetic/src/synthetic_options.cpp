@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/synthetic/synthetic_options.h"
+
+#include <stdexcept>
+
+namespace fild
+{
+std::vector<std::pair<std::string, Options*>> TSyntheticOptions::sections()
+{
+    return {{"town", &town},
+            {"route", &route},
+            {"conditions", &conditions},
+            {"sensors", &sensors},
+            {"truth", &truth}};
+}
+
+void TSyntheticOptions::check() const
+{
+    auto copy = *this;
+    for (const auto& [section, options] : copy.sections())
+    {
+        try
+        {
+            options->check();
+        }
+        catch (const std::invalid_argument& error)
+        {
+            throw std::invalid_argument("[" + section + "] " + error.what());
+        }
+    }
+}
+
+TSyntheticOptions options_of(Preset preset)
+{
+    TSyntheticOptions options;
+    switch (preset)
+    {
+        case Preset::tiny:
+            options.town.columns = 1;
+            options.town.block_length_m = options.town.block_width_m = 40;
+            options.route.circuit_columns = 1;
+            options.route.speed_m_per_s = 8;
+            options.route.frames_per_second = 1;
+            options.sensors.width = 320;
+            options.sensors.height = 240;
+            break;
+        case Preset::demo:
+            options.route.speed_m_per_s = 6;
+            break;
+        case Preset::large:
+            options.town.columns = 5;
+            options.town.rows = 4;
+            options.route.laps = 4;
+            options.route.circuit_columns = 5;
+            options.route.circuit_rows = 3;
+            break;
+    }
+    return options;
+}
+
+}  // namespace fild

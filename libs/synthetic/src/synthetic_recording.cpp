@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/synthetic/synthetic_recording.h"
+
+#include "fild/synthetic/odometry.h"
+#include "observations.h"
+#include "recording_files.h"
+
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3D.h>
+
+#include <array>
+#include <cstdio>
+#include <set>
+
+namespace fild
+{
+namespace
+{
+using mrpt::math::TPose3D;
+using mrpt::poses::CPose3D;
+
+const TSyntheticOptions& checked(const TSyntheticOptions& options)
+{
+    options.check();
+    return options;
+}
+
+std::uint64_t seed_of(const TSyntheticOptions& options)
+{
+    return static_cast<std::uint64_t>(options.town.seed);
+}
+
+std::vector<TPose3D> measured_odometry(const TSyntheticOptions& options,
+                                       const std::vector<RoutePose>& route)
+{
+    std::vector<TPose3D> truth;
+    for (const auto& pose : route) truth.push_back(pose.map_from_robot);
+    const auto dimensions = options.sensors.odometry == OdometryKind::robot_pose
+                                ? OdometryDimensions::spatial
+                                : OdometryDimensions::planar;
+    return drifting_odometry(truth, dimensions, options.sensors.drift_percent, seed_of(options));
+}
+
+/** "frame_000012.jpg", or "frame_000012_left.jpg" and "..._right.jpg". */
+std::string image_name(std::size_t frame, std::size_t camera, std::size_t cameras)
+{
+    std::array<char, 64> name{};
+    const char* const side = cameras == 1 ? "" : (camera == 0 ? "_left" : "_right");
+    std::snprintf(name.data(), name.size(), "frame_%06zu%s.jpg", frame, side);
+    return name.data();
+}
+
+/** A recording in the making: one frame after the other. */
+class Recorder
+{
+ public:
+    Recorder(const SyntheticRequest& request, const StreetGrid& grid, const DrawView& draw)
+        : options_(checked(request.options)),
+          draw_(draw),
+          route_(plan_route(options_.route, grid, seed_of(options_))),
+          odometry_(measured_odometry(options_, route_)),
+          files_(request.rawlog_path, request.embed),
+          truth_(options_.truth, camera_of(options_.sensors))
+    {
+    }
+
+    void record(std::size_t frame);
+    SyntheticSummary finish();
+
+    std::size_t frames() const { return route_.size(); }
+    std::size_t loops() const { return truth_.pairs().size(); }
+
+ private:
+    struct Seen
+    {
+        std::vector<mrpt::img::CImage> images;
+        cv::Mat depth;  ///< of the first
+    };
+    Seen look(std::size_t frame) const;
+    void write(std::size_t frame, const Seen& seen);
+    mrpt::obs::CObservation::Ptr odometry_observation(std::size_t frame) const;
+
+    TSyntheticOptions options_;
+    const DrawView& draw_;
+    std::vector<RoutePose> route_;
+    std::vector<TPose3D> odometry_;  ///< start_from_robot of each frame
+    RecordingFiles files_;
+    LoopTruth truth_;
+};
+
+void Recorder::record(std::size_t frame)
+{
+    const auto& pose = route_[frame];
+    const auto seen = look(frame);
+    write(frame, seen);
+    files_.add_pose(kRecordingStart + pose.seconds, pose.map_from_robot);
+    const CPose3D robot_from_camera(robot_from_cameras(options_.sensors).front());
+    const auto map_from_camera = CPose3D(pose.map_from_robot) + robot_from_camera;
+    truth_.add(pose.seconds, map_from_camera.asTPose(), seen.depth);
+}
+
+Recorder::Seen Recorder::look(std::size_t frame) const
+{
+    const auto& pose = route_[frame];
+    const auto conditions = conditions_of_lap(options_.conditions, pose.lap, seed_of(options_));
+    const auto cameras = robot_from_cameras(options_.sensors);
+    Seen seen;
+    for (std::size_t i = 0; i < cameras.size(); ++i)
+    {
+        const auto view = draw_(camera_of(options_.sensors),
+                                CPose3D(pose.map_from_robot) + CPose3D(cameras[i]),
+                                conditions);
+        const auto image = with_image_effects(
+            view.image, options_.conditions, seed_of(options_), frame * cameras.size() + i);
+        seen.images.push_back(files_.add_image(image_name(frame, i, cameras.size()), image));
+        if (i == 0) seen.depth = view.depth;
+    }
+    return seen;
+}
+
+void Recorder::write(std::size_t frame, const Seen& seen)
+{
+    const auto& sensors = options_.sensors;
+    const auto& pose = route_[frame];
+    const auto stamp = mrpt::Clock::fromDouble(kRecordingStart + pose.seconds);
+    mrpt::obs::CSensoryFrame observations;
+    if (const auto odometry = odometry_observation(frame)) observations.insert(odometry);
+    if (sensors.gps)
+        observations.insert(
+            gps_observation(sensors, stamp, pose.map_from_robot, seed_of(options_), frame));
+    observations.insert(camera_observation(sensors, stamp, seen.images, seen.depth));
+    if (sensors.odometry == OdometryKind::action)
+    {
+        const auto& before = odometry_[frame == 0 ? 0 : frame - 1];
+        files_.rawlog().write(movement_action(stamp, before, odometry_[frame]), observations);
+        return;
+    }
+    for (const auto& observation : observations) files_.rawlog().write(*observation);
+}
+
+/** Nothing when the odometry is no observation. */
+mrpt::obs::CObservation::Ptr Recorder::odometry_observation(std::size_t frame) const
+{
+    const auto stamp = mrpt::Clock::fromDouble(kRecordingStart + route_[frame].seconds);
+    switch (options_.sensors.odometry)
+    {
+        case OdometryKind::planar:
+            return planar_odometry_observation(stamp, odometry_[frame]);
+        case OdometryKind::robot_pose:
+        {
+            const double metres = options_.route.speed_m_per_s * route_[frame].seconds;
+            return robot_pose_observation(
+                stamp,
+                odometry_[frame],
+                odometry_deviation(options_.sensors.drift_percent, metres));
+        }
+        default:
+            return nullptr;
+    }
+}
+
+SyntheticSummary Recorder::finish()
+{
+    write_loops(files_.loops(), options_.truth, truth_.pairs());
+    SyntheticSummary summary;
+    summary.paths = files_.commit();
+    summary.frames = route_.size();
+    summary.loops = truth_.pairs().size();
+    std::set<FrameId> queries;
+    for (const auto& pair : truth_.pairs()) queries.insert(pair.query);
+    summary.queries_with_loop = queries.size();
+    summary.metres = driven_metres(route_);
+    return summary;
+}
+}  // namespace
+
+SyntheticSummary write_synthetic_recording(const SyntheticRequest& request,
+                                           const StreetGrid& grid,
+                                           const DrawView& draw,
+                                           const OnFrame& on_frame)
+{
+    Recorder recorder(request, grid, draw);
+    for (std::size_t frame = 0; frame < recorder.frames(); ++frame)
+    {
+        recorder.record(frame);
+        if (on_frame) on_frame(frame + 1, recorder.frames(), recorder.loops());
+    }
+    return recorder.finish();
+}
+
+}  // namespace fild
