@@ -60,7 +60,7 @@ void read_frames(const RunRequest& request,
                  LoopClosureStream& stream,
                  Gathered& gathered)
 {
-    ProgressLine progress(request.quiet);
+    ProgressLine progress(request.quiet, "loop closures");
     const auto& count = gathered.summary.camera_frames;
     while (count != request.max_frames || count == 0)
     {

@@ -402,12 +402,7 @@ std::size_t frames_of(fild::Preset preset)
 {
     const auto options = options_of(preset);
     EXPECT_NO_THROW(options.check());
-    StreetGrid grid;
-    grid.columns = options.town.columns;
-    grid.rows = options.town.rows;
-    grid.block_length = options.town.block_length_m;
-    grid.block_width = options.town.block_width_m;
-    return plan_route(options.route, grid, 1).size();
+    return plan_route(options.route, options.town.street_grid(), 1).size();
 }
 
 TEST(SyntheticOptions, PresetsHaveTheirSize)

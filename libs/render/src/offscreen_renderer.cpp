@@ -23,12 +23,13 @@ namespace fild
 namespace
 {
 constexpr int kSamplesPerSide = 2;
-constexpr float kMaxAnisotropy = 4;
 constexpr float kNearest_m = 0.5F;  // bounds the error of depth, z^2 / (kNearest_m * 2^24)
 constexpr float kFarthest_m = 1000;
 
 /** MRPT 2.5 builds no mipmaps, without which distant textures flicker. It binds every texture to a
- *  unit of its own for good, so the units lead to all textures of the scene. */
+ *  unit of its own for good, so the units lead to all textures of the scene. Not anisotropic: where
+ *  a pixel's footprint degenerates, which happens now and then, Mesa 22.3 then computes it for two
+ *  minutes. */
 void filter_textures_by_mipmaps()
 {
     GLint units = 0;
@@ -41,7 +42,6 @@ void filter_textures_by_mipmaps()
         if (texture == 0) continue;
         glGenerateMipmap(GL_TEXTURE_2D);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, kMaxAnisotropy);
     }
 }
 

@@ -37,10 +37,10 @@ TSyntheticOptions options_of(Preset preset)
     {
         case Preset::tiny:
             options.town.columns = 1;
-            options.town.block_length_m = options.town.block_width_m = 40;
+            options.town.block_length_m = options.town.block_width_m = 30;
             options.route.circuit_columns = 1;
             options.route.speed_m_per_s = 8;
-            options.route.frames_per_second = 1;
+            options.route.frames_per_second = 0.75;
             options.sensors.width = 320;
             options.sensors.height = 240;
             break;

@@ -108,10 +108,7 @@ void append(std::vector<Place>& all, const std::vector<Place>& more)
 TownPlan plan_town(const TTownOptions& options)
 {
     TownPlan plan;
-    plan.grid.columns = options.columns;
-    plan.grid.rows = options.rows;
-    plan.grid.block_length = options.block_length_m;
-    plan.grid.block_width = options.block_width_m;
+    plan.grid = options.street_grid();
     for (int i = 0; i < options.columns; ++i)
         for (int j = 0; j < options.rows; ++j) add_block(plan.rows, plan.grid.block(i, j));
     add_surrounding_rows(plan.rows, plan.grid);

@@ -31,7 +31,7 @@ struct TSyntheticOptions
 /** Recordings to begin from. */
 enum class Preset
 {
-    tiny,  ///< for tests: two short laps, some 80 small frames
+    tiny,  ///< for tests: two short laps, some 60 small frames
     demo,  ///< two laps, some 420 frames of 640x480
     large  ///< four laps round the largest town, some 2,200 frames of 640x480
 };

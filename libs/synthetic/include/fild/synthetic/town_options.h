@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fild/core/options.h"
+#include "fild/synthetic/street_grid.h"
 
 namespace fild
 {
@@ -16,6 +17,9 @@ struct TTownOptions : Options
     /** Share of the house rows that repeat the design of another row, house by house: the same
      *  walls, windows, shops and signs; only stains, curtains and what stands in front differ. */
     double look_alikes = 0.3;
+
+    /** The streets of the town. */
+    StreetGrid street_grid() const;
 
  protected:
     void describe(OptionVisitor& visitor) override;

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 namespace fild
 {
@@ -11,19 +12,21 @@ namespace fild
 class ProgressLine
 {
  public:
-    explicit ProgressLine(bool quiet);
+    /** \param found  what is counted beside frames: "loop closures". */
+    ProgressLine(bool quiet, std::string found);
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
     ~ProgressLine();  ///< ends the line on a terminal
 
     /** \param fraction  share of the work done, [0, 1]. */
-    void update(double fraction, std::size_t frames, std::size_t loops);
+    void update(double fraction, std::size_t frames, std::size_t found);
 
  private:
     bool is_due(double fraction);
     double seconds() const;
 
     bool quiet_;
+    std::string found_;
     bool on_terminal_;
     bool written_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -5,14 +5,16 @@
 #include <cmath>
 #include <cstdio>
 #include <unistd.h>
+#include <utility>
 
 namespace fild
 {
-ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), on_terminal_(::isatty(STDERR_FILENO) == 1)
+ProgressLine::ProgressLine(bool quiet, std::string found)
+    : quiet_(quiet), found_(std::move(found)), on_terminal_(::isatty(STDERR_FILENO) == 1)
 {
 }
 
-void ProgressLine::update(double fraction, std::size_t frames, std::size_t loops)
+void ProgressLine::update(double fraction, std::size_t frames, std::size_t found)
 {
     if (first_fraction_ < 0) first_fraction_ = fraction;
     if (quiet_ || !is_due(fraction)) return;
@@ -20,12 +22,13 @@ void ProgressLine::update(double fraction, std::size_t frames, std::size_t loops
     const double done = fraction - first_fraction_;
     const double left = done > 0 ? elapsed * (1 - fraction) / done : 0;
     std::fprintf(stderr,
-                 "%s%3.0f %%  frame %zu  %.1f frames/s  %zu loop closures  %.0f s left%s",
+                 "%s%3.0f %%  frame %zu  %.1f frames/s  %zu %s  %.0f s left%s",
                  on_terminal_ ? "\r\033[K" : "",
                  100 * fraction,
                  frames,
                  static_cast<double>(frames) / std::max(elapsed, 1e-3),
-                 loops,
+                 found,
+                 found_.c_str(),
                  left,
                  on_terminal_ ? "" : "\n");
     std::fflush(stderr);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// synthetic-rawlog: drives through a synthetic town and writes what the sensors see, and the truth.
+#include "app_main.h"
+#include "fild/core/ini_file.h"
+#include "fild/synthetic/synthetic_recording.h"
+#include "fild/synthetic/town.h"
+#include "interruption.h"
+#include "progress_line.h"
+
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Text = TCLAP::ValueArg<std::string>;
+using Number = TCLAP::ValueArg<int>;
+
+/** The command line. */
+struct AppOptions
+{
+    fild::SyntheticRequest request;
+    bool quiet = false;
+};
+
+fild::Preset preset_named(const std::string& name)
+{
+    if (name == "tiny") return fild::Preset::tiny;
+    return name == "large" ? fild::Preset::large : fild::Preset::demo;
+}
+
+/** A flag that was given replaces the key of the configuration that it stands for. */
+template <class Value>
+void add_flag(std::vector<std::string>& overrides,
+              const std::string& key,
+              TCLAP::ValueArg<Value>& flag)
+{
+    std::ostringstream text;
+    text << key << "=" << flag.getValue();
+    if (flag.isSet()) overrides.push_back(text.str());
+}
+
+/** Nothing when --help or --version was all that was asked for. \throw fild::WrongUsage */
+std::optional<AppOptions> parse(int argc, char** argv)
+{
+    TCLAP::CmdLine command(
+        "Drives through a synthetic town and writes a rawlog with its ground truth.",
+        ' ',
+        FILD_VERSION);
+    TCLAP::SwitchArg quiet("q", "quiet", "No progress line", command);
+    TCLAP::SwitchArg embed(
+        "", "embed", "Pixels in the rawlog, not in files in FILE_Images/ beside it", command);
+    TCLAP::MultiArg<std::string> overrides(
+        "s", "set", "Replaces a value of the configuration", false, "section.key=value", command);
+    Text config("c", "config", "Changes to the preset", false, "", "FILE.ini", command);
+    Number seed("", "seed", "Another town, route and noise: [town] seed", false, 1, "N", command);
+    Number frames("n", "frames", "Stop after so many frames", false, 1, "N", command);
+    std::vector<std::string> sensors{"mono", "stereo", "rgbd"};
+    TCLAP::ValuesConstraint<std::string> known_sensors(sensors);
+    Text sensor("", "sensor", "What the robot sees with", false, "stereo", &known_sensors, command);
+    std::vector<std::string> presets{"tiny", "demo", "large"};
+    TCLAP::ValuesConstraint<std::string> known_presets(presets);
+    Text preset("", "preset", "What to begin from", false, "demo", &known_presets, command);
+    Text output("o", "output", "The rawlog; must not exist yet", true, "", "FILE.rawlog", command);
+    if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
+    if (frames.getValue() < 1) throw fild::WrongUsage("--frames must be at least 1");
+
+    AppOptions options;
+    options.quiet = quiet.getValue();
+    options.request.rawlog_path = output.getValue();
+    options.request.embed = embed.getValue();
+    options.request.options = fild::options_of(preset_named(preset.getValue()));
+    auto ini =
+        config.isSet() ? fild::load_ini_file(config.getValue()) : mrpt::config::CConfigFileMemory();
+    auto replaced = overrides.getValue();
+    add_flag(replaced, "sensors.sensor", sensor);
+    add_flag(replaced, "route.max_frames", frames);
+    add_flag(replaced, "town.seed", seed);
+    fild::apply_overrides(ini, replaced);
+    fild::load_sections(ini, options.request.options.sections());
+    return options;
+}
+
+void run(const AppOptions& options)
+{
+    fild::catch_interruption();
+    const auto& request = options.request;
+    std::optional<fild::Town> town;  // painted once the request is known to be good
+    const auto draw = [&](const auto& camera, const auto& map_from_camera, const auto& conditions)
+    {
+        if (!town) town.emplace(request.options.town);
+        return town->draw(camera, map_from_camera, conditions);
+    };
+    fild::ProgressLine progress(options.quiet, "loops");
+    const auto on_frame = [&](std::size_t done, std::size_t frames, std::size_t loops)
+    {
+        if (fild::interrupted()) throw std::runtime_error("interrupted; nothing was written");
+        progress.update(static_cast<double>(done) / static_cast<double>(frames), done, loops);
+    };
+    const auto made =
+        write_synthetic_recording(request, request.options.town.street_grid(), draw, on_frame);
+    std::cout << made.paths.front() << ": " << made.frames << " frames, "
+              << static_cast<long>(made.metres) << " m, " << made.queries_with_loop
+              << " frames with a loop (" << made.loops << " pairs); beside it:";
+    for (std::size_t i = 1; i < made.paths.size(); ++i)
+        std::cout << (i > 1 ? ", " : " ") << made.paths[i];
+    std::cout << "\n";
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return fild::app_main("synthetic-rawlog", argc, argv, parse, run);
+}
