@@ -15,9 +15,11 @@
 #include <mrpt/poses/CPose3DQuat.h>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -215,6 +217,38 @@ TEST_P(TinyTown, IsReadBackAndAgreesWithItsTruth)
 
 INSTANTIATE_TEST_SUITE_P(Sensors, TinyTown, ::testing::Values("mono", "stereo", "rgbd"));
 
+/** Of a disparity that is right to about a pixel, one right to a small part of it: least squares
+ *  over a window, by Gauss and Newton. Nothing where there is too little texture for it. */
+std::optional<double> refined_disparity(const cv::Mat_<float>& left,
+                                        const cv::Mat_<float>& right,
+                                        cv::Point at,
+                                        double disparity)
+{
+    constexpr int kReach = 4;
+    for (int iteration = 0; iteration < 6; ++iteration)
+    {
+        double squares = 0;
+        double products = 0;
+        for (int dy = -kReach; dy <= kReach; ++dy)
+            for (int dx = -kReach; dx <= kReach; ++dx)
+            {
+                const double x = at.x + dx - disparity;
+                const int whole = static_cast<int>(std::floor(x));
+                if (whole < 1 || whole + 2 >= right.cols) return std::nullopt;
+                const float* const row = right[at.y + dy] + whole;
+                const auto share = static_cast<float>(x - whole);
+                const float value = (1 - share) * row[0] + share * row[1];
+                const float slope =
+                    ((1 - share) * (row[1] - row[-1]) + share * (row[2] - row[0])) / 2;
+                squares += static_cast<double>(slope * slope);
+                products += static_cast<double>(slope * (left(at.y + dy, at.x + dx) - value));
+            }
+        if (squares < 3000) return std::nullopt;
+        disparity -= products / squares;
+    }
+    return disparity;
+}
+
 /** What a matched pair says against what was drawn. */
 struct DepthCheck
 {
@@ -222,24 +256,38 @@ struct DepthCheck
     std::size_t matched = 0;
 };
 
+cv::Mat_<float> smoothed(const cv::Mat& image)
+{
+    cv::Mat result;
+    image.convertTo(result, CV_32F);
+    cv::GaussianBlur(result, result, {}, 1);
+    return result;
+}
+
 DepthCheck check_depth(const mrpt::obs::CObservationStereoImages& pair,
                        const std::string& images_dir,
-                       const cv::Mat& depth)
+                       const cv::Mat_<float>& depth)
 {
     const auto load = [&](const mrpt::img::CImage& image)
     { return cv::imread(images_dir + "/" + image.getExternalStorageFile(), cv::IMREAD_GRAYSCALE); };
-    cv::Mat disparity;
+    const auto left = load(pair.imageLeft);
+    const auto right = load(pair.imageRight);
+    cv::Mat matched;
     cv::StereoSGBM::create(0, 96, 7, 8 * 49, 32 * 49, 1, 31, 10, 50, 2)
-        ->compute(load(pair.imageLeft), load(pair.imageRight), disparity);
+        ->compute(left, right, matched);
+    const cv::Mat_<float> smooth_left = smoothed(left);
+    const cv::Mat_<float> smooth_right = smoothed(right);
     const double focal_baseline = pair.leftCamera.fx() * pair.rightCameraPose.x();
     std::vector<double> errors;
-    for (int v = 0; v < depth.rows; ++v)
-        for (int u = 0; u < depth.cols; ++u)
+    for (int v = 8; v < depth.rows - 8; v += 4)
+        for (int u = 8; u < depth.cols - 8; u += 4)
         {
-            const double matched = disparity.at<short>(v, u) / 16.0;
-            const auto drawn = static_cast<double>(depth.at<float>(v, u));
-            if (matched > 1 && drawn > 0 && drawn < 40)
-                errors.push_back(std::abs(focal_baseline / matched / drawn - 1));
+            const double coarse = matched.at<short>(v, u) / 16.0;
+            if (coarse <= 0 || depth(v, u) == 0) continue;
+            const auto fine = refined_disparity(smooth_left, smooth_right, {u, v}, coarse);
+            if (!fine || std::abs(*fine - coarse) > 1 || *fine < 1) continue;
+            const auto drawn = static_cast<double>(depth(v, u));
+            errors.push_back(std::abs(focal_baseline / *fine / drawn - 1));
         }
     return {median(errors), errors.size()};
 }
@@ -265,7 +313,7 @@ TEST(StereoTown, DepthFromTheImagesIsTheDepthDrawn)
             camera_of(sensors), map_from_left, conditions_of_lap(options.conditions, 0, 1));
         const auto check = check_depth(*pairs[frame], folder.path("town_Images"), view.depth);
         EXPECT_LT(check.median_error, 0.02) << "frame " << frame;
-        EXPECT_GT(check.matched, 100000U) << "frame " << frame;
+        EXPECT_GT(check.matched, 2000U) << "frame " << frame;
         RecordProperty("median_error_" + std::to_string(frame), std::to_string(check.median_error));
     }
 }
@@ -275,7 +323,7 @@ TEST(SyntheticRawlog, OdometryDriftsAsAsked)
     const TemporaryFolder folder;
     // The drawing is not looked at: as small as can be.
     const auto finished = run(folder,
-                              "--preset demo --sensor mono --set sensors.width=16 "
+                              "--preset tiny --sensor mono --set sensors.width=16 "
                               "--set sensors.height=16 --output town.rawlog --quiet");
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
     const auto poses = read_poses(folder.path("town.gt.tum"));
@@ -296,8 +344,8 @@ TEST(SyntheticRawlog, OdometryDriftsAsAsked)
     }
     double sum = 0;
     for (const double error : errors) sum += error;
-    EXPECT_GT(sum / static_cast<double>(errors.size()), 1);
-    EXPECT_LT(sum / static_cast<double>(errors.size()), 2);
+    EXPECT_GT(sum / static_cast<double>(errors.size()), 0.8);
+    EXPECT_LT(sum / static_cast<double>(errors.size()), 2.2);
 }
 
 TEST(SyntheticRawlog, MakesTheSameBytesAgain)
