@@ -29,7 +29,7 @@ TEST(CorridorDataset, GoesIntoARawlogAndBack)
     const fild::testing::TemporaryFolder folder;
     fild::ImageRawlogRequest request;
     request.rawlog_path = folder.path("corridor.rawlog");
-    fild::write_image_rawlog(images, request);
+    fild::write_image_rawlog(fild::mono_recording(images), request);
     const auto frames = frames_of(request.rawlog_path);
     ASSERT_EQ(frames.size(), 84U);
     for (const auto& frame : frames)
