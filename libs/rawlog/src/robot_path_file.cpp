@@ -2,10 +2,9 @@
 #include "robot_path_file.h"
 
 #include "fild/core/parse_number.h"
-#include "robot_frame.h"
 #include "text_lines.h"
 
-#include <mrpt/poses/CPose3DQuat.h>
+#include <mrpt/math/CQuaternion.h>
 
 #include <array>
 #include <charconv>
@@ -45,8 +44,8 @@ void write_number(std::ostream& stream, double number)
 
 std::vector<StampedPose> read_camera_path(const std::string& path)
 {
-    mrpt::math::CQuaternionDouble camera_from_robot;
-    (-robot_from_camera()).getAsQuaternion(camera_from_robot);
+    // The inverse of robot_from_camera(), without the rounding of its sines.
+    const mrpt::math::CQuaternionDouble camera_from_robot(0.5, 0.5, -0.5, 0.5);
     std::vector<StampedPose> poses;
     for (const auto& line : read_text_lines(path))
         poses.push_back(parse_camera_pose(line, camera_from_robot));
