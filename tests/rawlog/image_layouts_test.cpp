@@ -507,7 +507,7 @@ TEST(ReadRecording, ReadsEachLayoutAsAsked)
         request.images_dir = folder.path(dir);
         request.calibration_path = folder.path("calib");
         change(request);
-        const auto recording = fild::read_recording(request);
+        auto recording = fild::read_recording(request);
         EXPECT_EQ(recording.calibration->camera.fx, 50);
         return recording;
     };
