@@ -42,9 +42,13 @@ TEST(CalibrationFile, NamesTheLineThatIsWrong)
     EXPECT_THAT(error_of("1 2 3\n"), HasSubstr("calib.txt line 1: expected"));
     EXPECT_THAT(error_of("baseline 0.1\n"), HasSubstr("calib.txt line 1: 'baseline'"));
     EXPECT_THAT(error_of(camera + camera), HasSubstr("line 2: '500 500 320 240 640 480' follows"));
-    for (const std::string metres : {"", "0", "-0.1", "nan", "0.1 m", "0.1 0.2"})
-        EXPECT_THAT(error_of(camera + "baseline " + metres + "\n"),
-                    HasSubstr("of the form 'baseline METRES'"));
+    for (const std::string line : {"baseline",
+                                   "baseline 0",
+                                   "baseline -0.1",
+                                   "baseline nan",
+                                   "baseline 0.1 m",
+                                   "baseline 0.1 0.2"})
+        EXPECT_THAT(error_of(camera + line), HasSubstr("of the form 'baseline METRES'"));
     EXPECT_THAT(error_of(camera + "baseline 0.1\nbaseline 0.2\n"), HasSubstr("line 3"));
 }
 

@@ -95,6 +95,16 @@ TEST(ImagesWithDepth, PairsByOrder)
     };
     EXPECT_THAT(error_of(read),
                 AllOf(HasSubstr("2 images in " + folder.path("c")), HasSubstr("3 in ")));
+    EXPECT_THAT(error_of(
+                    [&]
+                    {
+                        fild::read_images_with_depth(
+                            {{{"c/1.jpg", "list.txt line 1"}, std::nullopt}},
+                            folder.path("d"),
+                            kTenHertz,
+                            calibration());
+                    }),
+                HasSubstr("1 images in the list, 3 in "));
     fs::remove(folder.path("d/1.png"));
     const auto recording = read();
     ASSERT_EQ(recording.frames.size(), 2U);
@@ -507,7 +517,7 @@ TEST(ReadRecording, ReadsEachLayoutAsAsked)
         request.images_dir = folder.path(dir);
         request.calibration_path = folder.path("calib");
         change(request);
-        const auto recording = fild::read_recording(request);
+        auto recording = fild::read_recording(request);
         EXPECT_EQ(recording.calibration->camera.fx, 50);
         return recording;
     };

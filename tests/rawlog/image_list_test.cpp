@@ -19,7 +19,7 @@ std::vector<ListedImage> images(std::size_t count)
 {
     std::vector<ListedImage> list;
     for (std::size_t i = 0; i < count; ++i)
-        list.push_back({"i" + std::to_string(i), "list line " + std::to_string(i + 1), {}});
+        list.push_back({{"i" + std::to_string(i), "list line " + std::to_string(i + 1)}, {}});
     return list;
 }
 

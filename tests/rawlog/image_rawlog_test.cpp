@@ -36,7 +36,7 @@ void draw_images(const TemporaryFolder& folder)
 
 StampedImage listed(const std::string& path, double seconds)
 {
-    return {path, "list.txt line 7", seconds};
+    return {{path, "list.txt line 7"}, seconds};
 }
 
 /** Frames that show draw_image() with the seeds 2, 1, 3, 2. */

@@ -6,6 +6,14 @@
 
 namespace fild
 {
+namespace
+{
+std::runtime_error not_a_number(const std::string& word, const std::string& origin)
+{
+    return std::runtime_error(origin + ": '" + word + "' is not a number");
+}
+}  // namespace
+
 std::vector<double> parse_numbers(const std::string& text, const std::string& origin)
 {
     std::vector<double> numbers;
@@ -13,7 +21,7 @@ std::vector<double> parse_numbers(const std::string& text, const std::string& or
     for (std::string word; words >> word;)
     {
         const auto number = parse_number<double>(word);
-        if (!number) throw std::runtime_error(origin + ": '" + word + "' is not a number");
+        if (!number) throw not_a_number(word, origin);
         numbers.push_back(*number);
     }
     return numbers;

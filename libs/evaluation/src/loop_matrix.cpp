@@ -79,8 +79,9 @@ bool is_number_class(matio_classes type)
 
 bool is_matrix(const matvar_t& variable)
 {
-    return is_number_class(variable.class_type) && variable.isComplex == 0 && variable.rank == 2 &&
-           variable.dims[0] > 1 && variable.dims[1] > 1;
+    return variable.name != nullptr && is_number_class(variable.class_type) &&
+           variable.isComplex == 0 && variable.rank == 2 && variable.dims[0] > 1 &&
+           variable.dims[1] > 1;
 }
 
 /** Name of the only matrix of the file. */
@@ -185,7 +186,7 @@ LoopLabels read_loop_matrix(const std::string& path)
     const MatVariable matrix{Mat_VarRead(file.get(), name.c_str()), &Mat_VarFree};
     if (!matrix || matrix->data == nullptr)
         throw std::runtime_error("cannot read the matrix " + name + " of " + path +
-                                 "; is the file cut off?");
+                                 "; is the file damaged?");
     if (matrix->dims[0] != matrix->dims[1])
         throw std::runtime_error("the matrix " + describe(*matrix) + " of " + path +
                                  " is not square; a loop matrix has a row and a column a frame");

@@ -6,6 +6,16 @@
 
 namespace fild
 {
+namespace
+{
+/** The folder of images that were listed by list_image_folder(), or that it was a list. */
+std::string place_of(const std::vector<ListedImage>& images)
+{
+    if (images.empty() || images[0].origin != images[0].path) return "the list";
+    return std::filesystem::path(images[0].path).parent_path().string();
+}
+}  // namespace
+
 Recording read_stereo_folders(const std::string& left_dir,
                               const std::string& right_dir,
                               const TimestampSource& timestamps,
@@ -26,8 +36,7 @@ Recording read_images_with_depth(const std::vector<ListedImage>& images,
                                  const Calibration& calibration)
 {
     const auto depth = list_image_folder(depth_dir);
-    const auto colour_dir = std::filesystem::path(images.at(0).path).parent_path().string();
-    check_equal_counts(images.size(), colour_dir, depth.size(), depth_dir);
+    check_equal_counts(images.size(), place_of(images), depth.size(), depth_dir);
     auto recording = mono_recording(stamp_images(images, timestamps), calibration);
     for (std::size_t i = 0; i < depth.size(); ++i) recording.frames[i].depth = depth[i];
     return recording;

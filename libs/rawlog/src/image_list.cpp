@@ -112,7 +112,7 @@ std::vector<ListedImage> list_image_folder(const std::string& folder)
             "; it must hold .png .jpg .jpeg .pgm .ppm .pnm .bmp .tif or .tiff files");
     std::vector<ListedImage> images;
     images.reserve(paths.size());
-    for (const auto& path : paths) images.push_back({path, path, std::nullopt});
+    for (const auto& path : paths) images.push_back({{path, path}, std::nullopt});
     return images;
 }
 
@@ -147,7 +147,7 @@ std::vector<StampedImage> stamp_images(const std::vector<ListedImage>& images,
     std::vector<StampedImage> stamped;
     stamped.reserve(images.size());
     for (std::size_t i = 0; i < images.size(); ++i)
-        stamped.push_back({images[i].path, images[i].origin, stamps[i].seconds});
+        stamped.push_back({images[i], stamps[i].seconds});
     return stamped;
 }
 

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -76,9 +77,10 @@ std::pair<fs::path, fs::path> names_of_pair(const fs::path& left, const fs::path
 
 mrpt::math::CMatrix_u16 to_range_image(const cv::Mat& depth)
 {
-    mrpt::math::CMatrix_u16 ranges(depth.rows, depth.cols);
-    for (int row = 0; row < depth.rows; ++row)
-        std::copy_n(depth.ptr<std::uint16_t>(row), depth.cols, &ranges(row, 0));
+    mrpt::math::CMatrix_u16 ranges(static_cast<std::size_t>(depth.rows),
+                                   static_cast<std::size_t>(depth.cols));
+    cv::Mat same_memory(depth.size(), depth.type(), ranges.data());
+    depth.copyTo(same_memory);
     return ranges;
 }
 
@@ -170,6 +172,18 @@ mrpt::obs::CObservation3DRangeScan::Ptr ObservationMaker::range_scan(const Recor
     observation->relativePoseIntensityWRTDepth = robot_from_camera();
     return observation;
 }
+
+/** The file of the robot's path, all of it on disk, to be committed; null when there is no path. */
+std::unique_ptr<WholeFile> write_path(const fs::path& path_file,
+                                      const std::vector<StampedPose>& robot_path)
+{
+    if (robot_path.empty()) return nullptr;
+    auto file = std::make_unique<WholeFile>(path_file.string());
+    write_robot_path(file->stream(), robot_path);
+    if (!file->stream().flush())
+        throw std::runtime_error("cannot write " + path_file.string() + "; is the disk full?");
+    return file;
+}
 }  // namespace
 
 ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRawlogRequest& request)
@@ -180,18 +194,9 @@ ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRaw
     const auto path_file = beside(request.rawlog_path, ".gt.tum");
     refuse_existing(request.rawlog_path);
     if (!request.embed) refuse_existing(images_dir);
+    if (!recording.robot_path.empty()) refuse_existing(path_file);
 
-    ImageRawlogSummary summary;
-    std::optional<WholeFile> robot_path;
-    if (!recording.robot_path.empty())
-    {
-        refuse_existing(path_file);
-        robot_path.emplace(path_file.string());
-        write_robot_path(robot_path->stream(), recording.robot_path);
-        if (!robot_path->stream().flush())
-            throw std::runtime_error("cannot write " + path_file.string() + "; is the disk full?");
-        summary.ground_truth_path = path_file.string();
-    }
+    const auto robot_path = write_path(path_file, recording.robot_path);
     RawlogWriter writer(request.rawlog_path);
     PlacedImages images(request.embed ? std::nullopt : std::make_optional(images_dir));
     ObservationMaker maker(recording, request.sensor_label, images);
@@ -201,10 +206,12 @@ ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRaw
     images.keep();
     if (robot_path) robot_path->commit();
 
+    ImageRawlogSummary summary;
     summary.frames = recording.frames.size();
     summary.images = images.count();
     summary.depth_images = recording.frames[0].depth ? summary.frames : 0;
     if (!request.embed) summary.images_dir = images_dir.string();
+    if (robot_path) summary.ground_truth_path = path_file.string();
     return summary;
 }
 

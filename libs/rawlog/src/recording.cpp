@@ -5,10 +5,11 @@
 
 namespace fild
 {
-Recording mono_recording(std::vector<StampedImage> images, std::optional<Calibration> calibration)
+Recording mono_recording(std::vector<StampedImage> images,
+                         const std::optional<Calibration>& calibration)
 {
     Recording recording;
-    recording.calibration = std::move(calibration);
+    recording.calibration = calibration;
     recording.frames.reserve(images.size());
     for (auto& image : images)
         recording.frames.push_back({std::move(image), std::nullopt, std::nullopt});

@@ -60,7 +60,7 @@ ImagesByTime images_of_form(const std::vector<std::string>& paths, const NameFor
         if (!seconds)
             throw std::runtime_error(path + ": '" + *text +
                                      "' is no time in seconds; rename the image or take it away");
-        const auto [other, is_new] = images.emplace(*text, ListedImage{path, path, seconds});
+        const auto [other, is_new] = images.emplace(*text, ListedImage{{path, path}, seconds});
         if (!is_new)
             throw std::runtime_error(path + " and " + other->second.path +
                                      " are of the same time; take one away");

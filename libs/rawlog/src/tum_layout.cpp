@@ -43,7 +43,7 @@ std::vector<StampedImage> read_stamped_list(const std::string& path)
             throw std::runtime_error(line.origin + ": '" + line.text +
                                      "' is not of the form 'SECONDS IMAGE'");
         const auto image = fs::path(path).parent_path() / trim(line.text.substr(end_of_time));
-        images.push_back({image.string(), line.origin, seconds});
+        images.push_back({{image.string(), line.origin}, seconds});
     }
     if (images.empty())
         throw std::runtime_error("no image in " + path + "; write 'SECONDS IMAGE' a line");

@@ -47,6 +47,6 @@ struct Recording
 
 /** A recording of one camera. */
 Recording mono_recording(std::vector<StampedImage> images,
-                         std::optional<Calibration> calibration = std::nullopt);
+                         const std::optional<Calibration>& calibration = std::nullopt);
 
 }  // namespace fild
