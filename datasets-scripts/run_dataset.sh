@@ -54,7 +54,7 @@ stop_if_missing() {
 }
 
 # read_arguments DEFAULT_OUTPUT [ARGUMENT]...: sets dataset, output, ground_truth ('' for none) out of
-# DATASET_FOLDER [OUTPUT_FOLDER [GROUND_TRUTH]], and config.
+# DATASET_FOLDER [OUTPUT_FOLDER [GROUND_TRUTH]].
 read_arguments() {
   local default_output=$1
   shift
@@ -136,7 +136,9 @@ convert() {
   run_app images-to-rawlog --output "$rawlog" "$@"
 }
 
-# find_loops: the main job on $rawlog, with $images_dir if that is set, and $config; an earlier run's scores go, as its results do.
+# find_loops: the main job on $rawlog with $config, and with $images_dir instead of the usual one if that
+# is set. The scores of an earlier run go, as its results do.
+images_dir=
 find_loops() {
   rm -f "$output"/evaluation/*/{evaluation.json,wrong_loops.csv}
   [ ! -d "$output/evaluation" ] || find "$output/evaluation" -depth -type d -empty -delete
