@@ -7,7 +7,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include <GL/gl.h>
-#include <GL/glext.h>
 #include <GL/osmesa.h>
 #include <array>
 #include <dlfcn.h>
@@ -23,7 +22,6 @@ namespace fild
 namespace
 {
 constexpr int kSamplesPerSide = 2;
-constexpr float kMaxAnisotropy = 4;
 constexpr float kNearest_m = 0.5F;  // bounds the error of depth, z^2 / (kNearest_m * 2^24)
 constexpr float kFarthest_m = 1000;
 
@@ -41,7 +39,6 @@ void filter_textures_by_mipmaps()
         if (texture == 0) continue;
         glGenerateMipmap(GL_TEXTURE_2D);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, kMaxAnisotropy);
     }
 }
 
@@ -69,16 +66,16 @@ mrpt::img::TCamera sampling_camera(const CameraModel& camera)
 
 /** Depth of a pixel out of its samples: at the edge of an object that of the object, not a mean
  *  with what is behind it. */
-float pixel_depth(const cv::Mat& samples)
+float pixel_depth(const std::array<float, kSamplesPerSide * kSamplesPerSide>& samples)
 {
     float nearest = 0;
-    for (const float depth : cv::Mat_<float>(samples))
+    for (const float depth : samples)
         if (depth > 0 && (nearest == 0 || depth < nearest)) nearest = depth;
     if (nearest == 0) return 0;
     constexpr float kSameSurface = 1.05F;
     float sum_of_inverses = 0;
     int count = 0;
-    for (const float depth : cv::Mat_<float>(samples))
+    for (const float depth : samples)
         if (depth > 0 && depth < nearest * kSameSurface)
         {
             sum_of_inverses += 1 / depth;
@@ -86,6 +83,22 @@ float pixel_depth(const cv::Mat& samples)
         }
     // On a plane it is the inverse of the depth that is linear in the image.
     return static_cast<float>(count) / sum_of_inverses;
+}
+
+cv::Mat pixel_depths(const mrpt::math::CMatrixFloat& samples, const cv::Size& size)
+{
+    cv::Mat depths(size, CV_32F);
+    for (int row = 0; row < size.height; ++row)
+        for (int column = 0; column < size.width; ++column)
+        {
+            std::array<float, kSamplesPerSide * kSamplesPerSide> of_pixel{};
+            for (int i = 0; i < kSamplesPerSide * kSamplesPerSide; ++i)
+                of_pixel[static_cast<std::size_t>(i)] =
+                    samples(row * kSamplesPerSide + i / kSamplesPerSide,
+                            column * kSamplesPerSide + i % kSamplesPerSide);
+            depths.at<float>(row, column) = pixel_depth(of_pixel);
+        }
+    return depths;
 }
 }  // namespace
 
@@ -186,14 +199,7 @@ RenderedView OffscreenRenderer::draw(const CameraModel& camera,
     RenderedView view;
     const cv::Size size(camera.width, camera.height);
     cv::resize(samples.asCvMatRef(), view.image, size, 0, 0, cv::INTER_AREA);
-    view.depth.create(size, CV_32F);
-    const cv::Mat all_depths(size * kSamplesPerSide, CV_32F, depth_samples.data());
-    for (int row = 0; row < size.height; ++row)
-        for (int column = 0; column < size.width; ++column)
-            view.depth.at<float>(row, column) = pixel_depth(all_depths({column * kSamplesPerSide,
-                                                                        row * kSamplesPerSide,
-                                                                        kSamplesPerSide,
-                                                                        kSamplesPerSide}));
+    view.depth = pixel_depths(depth_samples, size);
     return view;
 }
 
