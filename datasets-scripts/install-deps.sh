@@ -16,6 +16,7 @@ packages=(
   libosmesa6-dev                        # off-screen drawing
   libopencv-dev                         # images, network inference, fundamental matrix
   libhnswlib-dev                        # proximity graph
+  libmatio-dev                          # ground truth in MATLAB files
   nlohmann-json3-dev                    # summary.json
   libssl-dev                            # checksum of the model
   zlib1g-dev                            # gzipped rawlogs

@@ -1,70 +1,125 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app_main.h"
-#include "fild/rawlog/image_list.h"
+#include "fild/rawlog/image_layouts.h"
 #include "fild/rawlog/image_rawlog.h"
 
-#include <initializer_list>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace
 {
 /** The command line. */
 struct AppOptions
 {
-    std::string images_dir;
-    std::optional<std::string> list_path;  ///< instead of `images_dir`
-    fild::TimestampSource timestamps;
-    std::string calibration_path;  ///< empty: not calibrated
-    fild::ImageRawlogRequest request;
+    fild::LayoutRequest input;
+    fild::ImageRawlogRequest output;
 };
+
+/** The words for --format; TCLAP shows them as <list|kitti|...>. */
+class FormatWords : public TCLAP::ValuesConstraint<std::string>
+{
+ public:
+    explicit FormatWords(std::vector<std::string> words = all_words()) : ValuesConstraint(words) {}
+
+ private:
+    static std::vector<std::string> all_words()
+    {
+        std::vector<std::string> words;
+        for (const auto& [word, layout] : fild::layout_words()) words.push_back(word);
+        return words;
+    }
+};
+
+/** An option that need not be given. */
+template <class Value>
+class OptionalArg
+{
+ public:
+    OptionalArg(TCLAP::CmdLine& command,
+                const std::string& name,
+                const std::string& description,
+                const std::string& placeholder)
+        : arg_("", name, description, false, Value{}, placeholder, command)
+    {
+    }
+
+    std::optional<Value> get()
+    {
+        return arg_.isSet() ? std::make_optional(arg_.getValue()) : std::nullopt;
+    }
+
+ private:
+    TCLAP::ValueArg<Value> arg_;
+};
+
+fild::ImageLayout layout_of(const std::string& format)
+{
+    for (const auto& [word, layout] : fild::layout_words())
+        if (word == format) return layout;
+    throw fild::WrongUsage("no such --format: " + format);  // FormatWords let it pass
+}
 
 /** Nothing when --help or --version was all that was asked for.
  *  \throw fild::WrongUsage */
 std::optional<AppOptions> parse_command_line(int argc, char** argv)
 {
     using Text = TCLAP::ValueArg<std::string>;
-    TCLAP::CmdLine command("Writes a rawlog from a folder or a list of images.", ' ', FILD_VERSION);
-    Text output("", "output", "The rawlog to write; must not exist yet", true, "", "FILE.rawlog");
-    Text images("", "images", "Folder of images, taken by name in byte order", true, "", "DIR");
+    using OptionalText = OptionalArg<std::string>;
+    TCLAP::CmdLine command("Writes a rawlog from images on disk.", ' ', FILD_VERSION);
+    // TCLAP's help shows the options from the last to the first.
+    TCLAP::SwitchArg embed("", "embed", "Pixels in the rawlog, not in NAME_Images/", command);
+    Text label("", "sensor-label", "Name of the camera", false, "CAMERA1", "NAME", command);
+    OptionalArg<double> scale(
+        command, "depth-scale", "Depth units per metre: 1000, tum: 5000", "S");
+    OptionalText depth(command, "depth", "Folder of 16-bit depth, paired by order", "DIR");
+    OptionalText right(command, "right", "Folder of right images, for --format stereo", "DIR");
+    OptionalText calibration(command,
+                             "calib",
+                             "File: fx fy cx cy width height [k1 k2 p1 p2 [k3]]; "
+                             "stereo: a second line, baseline METRES",
+                             "FILE");
+    OptionalArg<double> rate(command, "rate", "Images per second, from time 0", "HZ");
+    Text stamps(
+        "", "timestamps", "File with one number of seconds a line", false, "", "FILE", command);
+    FormatWords formats;
+    Text format("", "format", "How the recording lies on disk", false, "list", &formats, command);
+    Text output("", "output", "To write; must not exist yet", true, "", "NAME.rawlog", command);
+    Text images("", "images", "Folder of images or of the format's sequence", true, "", "DIR");
     Text list("", "list", "List: IMAGE [SECONDS] a line, relative to the list", true, "", "FILE");
-    Text stamps("", "timestamps", "File with one number of seconds a line", false, "", "FILE");
-    TCLAP::ValueArg<double> rate("", "rate", "Images per second, from time 0", false, 0, "HZ");
-    Text calibration(
-        "", "calib", "File with: fx fy cx cy width height [k1 k2 p1 p2 [k3]]", false, "", "FILE");
-    Text label("", "sensor-label", "Name of the camera", false, "CAMERA1", "NAME");
-    TCLAP::SwitchArg embed(
-        "", "embed", "Pixels in the rawlog, not in files in FILE_Images/ beside it");
     command.xorAdd(images, list);
-    for (TCLAP::Arg* arg :
-         std::initializer_list<TCLAP::Arg*>{&embed, &label, &calibration, &rate, &stamps, &output})
-        command.add(arg);
     if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
 
     AppOptions options;
-    options.images_dir = images.getValue();
-    if (list.isSet()) options.list_path = list.getValue();
-    options.timestamps.file = stamps.getValue();
-    if (rate.isSet()) options.timestamps.rate_hz = rate.getValue();
-    options.calibration_path = calibration.getValue();
-    options.request.rawlog_path = output.getValue();
-    options.request.sensor_label = label.getValue();
-    options.request.embed = embed.getValue();
+    options.input.layout = layout_of(format.getValue());
+    options.input.images_dir = images.getValue();
+    if (list.isSet()) options.input.list_path = list.getValue();
+    options.input.timestamps = {stamps.getValue(), rate.get()};
+    options.input.calibration_path = calibration.get();
+    options.input.right_dir = right.get();
+    options.input.depth_dir = depth.get();
+    options.input.depth_units_per_metre = scale.get();
+    options.output = {output.getValue(), label.getValue(), embed.getValue()};
     return options;
 }
 
-void run(AppOptions options)
+void print(const fild::ImageRawlogSummary& summary, const AppOptions& options)
 {
-    const auto listed = options.list_path ? fild::read_image_list(*options.list_path)
-                                          : fild::list_image_folder(options.images_dir);
-    const auto images = fild::stamp_images(listed, options.timestamps);
-    if (!options.calibration_path.empty())
-        options.request.camera = fild::read_calibration_file(options.calibration_path);
-    const auto summary = fild::write_image_rawlog(images, options.request);
-    std::cout << options.request.rawlog_path << ": " << summary.frames << " frames of "
-              << summary.images << " images, "
-              << (summary.images_dir.empty() ? "embedded" : "in " + summary.images_dir) << "\n";
+    std::cout << options.output.rawlog_path << ": " << summary.frames << " frames of "
+              << summary.images << " images";
+    if (summary.depth_images != 0) std::cout << " and " << summary.depth_images << " depth images";
+    std::cout << ", " << (summary.images_dir.empty() ? "embedded" : "in " + summary.images_dir)
+              << "\n";
+    if (!summary.ground_truth_path.empty())
+        std::cout << "ground truth: " << summary.ground_truth_path << "\n";
+}
+
+void run(const AppOptions& options)
+{
+    const auto recording = fild::read_recording(options.input);
+    print(fild::write_image_rawlog(recording, options.output), options);
+    for (const auto& what : recording.left_out) std::cout << "left out: " << what << "\n";
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ install(FILES
   ${PROJECT_BINARY_DIR}/mrpt-fild-config-version.cmake
   libs/cmake/FindOSMesa.cmake
   libs/cmake/Findhnswlib.cmake
+  libs/cmake/Findmatio.cmake
   DESTINATION ${FILD_CMAKE_DIR})
 install(DIRECTORY config-ini DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild)
 # Error messages name datasets-scripts/get-model.sh: whoever installed has it too.

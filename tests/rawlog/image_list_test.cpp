@@ -19,7 +19,7 @@ std::vector<ListedImage> images(std::size_t count)
 {
     std::vector<ListedImage> list;
     for (std::size_t i = 0; i < count; ++i)
-        list.push_back({"i" + std::to_string(i), "list line " + std::to_string(i + 1), {}});
+        list.push_back({{"i" + std::to_string(i), "list line " + std::to_string(i + 1)}, {}});
     return list;
 }
 
@@ -157,22 +157,6 @@ TEST(StampImages, WantsSecondsAndOneForEachImage)
     EXPECT_THAT(stamps_error("0\nnan\n", 2), HasSubstr("'nan'"));
     EXPECT_THAT(stamps_error("-1\n", 1), HasSubstr("outside"));
     EXPECT_THAT(stamps_error("1403636579763555584\n", 1), HasSubstr("another unit"));
-}
-
-TEST(CalibrationFile, ReadsOneLine)
-{
-    const TemporaryFolder folder;
-    const auto path = folder.path("calib.txt");
-    write_text(path, "# left\n500 500 320 240 640 480 -0.3 0.1 0 0\n\n");
-    EXPECT_DOUBLE_EQ(fild::read_calibration_file(path).distortion[0], -0.3);
-    const auto error = [&](const std::string& text)
-    {
-        write_text(path, text);
-        return message_of<std::runtime_error>([&] { fild::read_calibration_file(path); });
-    };
-    EXPECT_THAT(error(""), HasSubstr("no calibration in"));
-    EXPECT_THAT(error("1 2 3\n"), HasSubstr("calib.txt line 1: expected"));
-    EXPECT_THAT(error("500 500 320 240 640 480\nbaseline 0.1\n"), HasSubstr("'baseline 0.1'"));
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/rawlog/frame_builder.h"
+#include "fild/rawlog/image_layouts.h"
 #include "fild/rawlog/image_rawlog.h"
 #include "fild/rawlog/rawlog_reader.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation.h>
+#include <opencv2/imgcodecs.hpp>
 
 namespace
 {
@@ -29,7 +31,7 @@ TEST(CorridorDataset, GoesIntoARawlogAndBack)
     const fild::testing::TemporaryFolder folder;
     fild::ImageRawlogRequest request;
     request.rawlog_path = folder.path("corridor.rawlog");
-    fild::write_image_rawlog(images, request);
+    fild::write_image_rawlog(fild::mono_recording(images), request);
     const auto frames = frames_of(request.rawlog_path);
     ASSERT_EQ(frames.size(), 84U);
     for (const auto& frame : frames)
@@ -37,6 +39,65 @@ TEST(CorridorDataset, GoesIntoARawlogAndBack)
         EXPECT_EQ(frame.defect, fild::Rejection::none);
         EXPECT_EQ(frame.image.size(), cv::Size(512, 384));
         EXPECT_NEAR(frame.timestamp, static_cast<double>(to_index(frame.id)), 1e-6);
+    }
+}
+
+/** Copies an image of the data under a name of a layout; the copy must be of `extension`'s kind. */
+void copy_as(const std::string& image, const std::string& target)
+{
+    const std::string source = FILD_TEST_DATA_DIR "/pairs/" + image;
+    if (fs::path(source).extension() == fs::path(target).extension())
+        fs::copy_file(source, target);
+    else
+        cv::imwrite(target, cv::imread(source, cv::IMREAD_UNCHANGED));
+}
+
+TEST(PairsDataset, GoesIntoARawlogByTheNamesOfMalagaAndNewCollege)
+{
+    const std::string pairs = FILD_TEST_DATA_DIR "/pairs";
+    if (!fs::exists(pairs)) GTEST_SKIP() << "no such folder: " << pairs;
+    const fild::testing::TemporaryFolder folder;
+    fs::create_directory(folder.path("malaga"));
+    fs::create_directory(folder.path("college"));
+    copy_as("malaga6l_a.jpg", folder.path("malaga/CAMERA_LEFT_1226322120.504112.jpg"));
+    copy_as("malaga6l_b.jpg", folder.path("malaga/CAMERA_LEFT_1226322307.261530.jpg"));
+    copy_as("newcollege_a.png", folder.path("college/StereoImage__1225719815.864878-left.pnm"));
+    copy_as("newcollege_b.png", folder.path("college/StereoImage__1225719816.864764-left.pnm"));
+
+    const auto frames_as = [&](const std::string& name, const fild::Recording& recording)
+    {
+        fild::ImageRawlogRequest request;
+        request.rawlog_path = folder.path(name + ".rawlog");
+        fild::write_image_rawlog(recording, request);
+        return frames_of(request.rawlog_path);
+    };
+    const auto malaga = frames_as("malaga", fild::read_malaga_layout(folder.path("malaga"), {}));
+    ASSERT_EQ(malaga.size(), 2U);
+    EXPECT_EQ(malaga[1].image.size(), cv::Size(1024, 768));
+    EXPECT_NEAR(malaga[1].timestamp, 1226322307.261530, 1e-6);
+    const auto college =
+        frames_as("college", fild::read_newcollege_layout(folder.path("college"), {}));
+    ASSERT_EQ(college.size(), 2U);
+    EXPECT_EQ(college[0].image.size(), cv::Size(512, 384));
+    EXPECT_EQ(college[0].defect, fild::Rejection::none);
+}
+
+/** All file names that the authors of FILD ran, as empty files. */
+TEST(GroundTruthFrames, AreNamesThatTheLayoutsRead)
+{
+    using Read = fild::Recording (*)(const std::string&, const std::optional<fild::Calibration>&);
+    const std::vector<std::pair<std::string, Read>> lists{
+        {"malaga6l_frames.txt", fild::read_malaga_layout},
+        {"newcollege_frames_2624.txt", fild::read_newcollege_layout}};
+    for (const auto& [list, read] : lists)
+    {
+        const auto path = FILD_TEST_DATA_DIR "/ground_truth/" + list;
+        if (!fs::exists(path)) GTEST_SKIP() << "no such file: " << path;
+        const fild::testing::TemporaryFolder folder;
+        const auto names = fild::read_image_list(path);
+        for (const auto& name : names)
+            fild::testing::write_text(folder.path(fs::path(name.path).filename()), "");
+        EXPECT_EQ(read(folder.path(), std::nullopt).frames.size(), names.size());
     }
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fild/synthetic/town.h"
-
 #include "fild/features/surf.h"
 #include "fild/synthetic/birds_eye.h"
+#include "fild/synthetic/town.h"
 #include "message_of.h"
 
 #include <gmock/gmock.h>
@@ -42,7 +41,7 @@ mrpt::poses::CPose3D on_the_road(double x, double y, double heading)
 
 double difference(const cv::Mat& a, const cv::Mat& b)
 {
-    return cv::norm(a, b, cv::NORM_L1) / static_cast<double>(a.total() * a.channels());
+    return cv::norm(a, b, cv::NORM_L1) / (static_cast<double>(a.total()) * a.channels());
 }
 
 TEST(Town, HasEnoughDetailForLocalFeatures)

@@ -5,19 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
-#include <vector>
 
 namespace fild
 {
 namespace
 {
-std::string not_a_number(const std::string& origin, const std::string& word)
-{
-    return origin + ": '" + word + "' is not a number";
-}
-
 /** A number of pixels, which must be whole. */
 int parse_size(double number, const std::string& origin)
 {
@@ -25,19 +18,6 @@ int parse_size(double number, const std::string& origin)
     if (!(number >= 1 && number <= kLargest) || number != std::floor(number))
         throw std::runtime_error(origin + ": the image size must be whole numbers of pixels");
     return static_cast<int>(number);
-}
-
-std::vector<double> parse_numbers(const std::string& text, const std::string& origin)
-{
-    std::vector<double> numbers;
-    std::istringstream words(text);
-    for (std::string word; words >> word;)
-    {
-        const auto number = parse_number<double>(word);
-        if (!number) throw std::runtime_error(not_a_number(origin, word));
-        numbers.push_back(*number);
-    }
-    return numbers;
 }
 }  // namespace
 

@@ -2,15 +2,11 @@
 #include "fild/rawlog/image_list.h"
 
 #include "fild/core/parse_number.h"
+#include "folder_entries.h"
+#include "text_lines.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 namespace fild
@@ -23,68 +19,12 @@ namespace fs = std::filesystem;
 constexpr double kMinStepSeconds = 1e-6;
 constexpr double kEndOfTimeSeconds = 1e10;  // the year 2286
 
-/** A line that says something, without the blanks around it. */
-struct TextLine
-{
-    std::string text;
-    std::string origin;
-};
-
 /** A time and the place it was read from. */
 struct Stamp
 {
     double seconds = 0;
     std::string origin;
 };
-
-std::string trim(const std::string& text)
-{
-    const char* const blanks = " \t\r\n";
-    const auto begin = text.find_first_not_of(blanks);
-    if (begin == std::string::npos) return "";
-    return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
-
-std::ifstream open_text(const std::string& path)
-{
-    if (fs::is_directory(path)) throw std::runtime_error(path + " is a folder, not a text file");
-    std::ifstream file(path);
-    if (!file)
-        throw std::runtime_error("cannot read '" + path +
-                                 "': " + std::generic_category().message(errno));
-    return file;
-}
-
-/** The lines of a text file that are neither blank nor a comment. */
-std::vector<TextLine> read_lines(const std::string& path)
-{
-    auto file = open_text(path);
-    std::vector<TextLine> lines;
-    int number = 0;
-    for (std::string line; std::getline(file, line);)
-    {
-        const std::string byte_order_mark = "\xEF\xBB\xBF";
-        if (++number == 1 && line.rfind(byte_order_mark, 0) == 0) line.erase(0, 3);
-        const auto text = trim(line);
-        if (text.find('\0') != std::string::npos)
-            throw std::runtime_error(path + " is not a text file; name one with a line per image");
-        if (!text.empty() && text[0] != '#')
-            lines.push_back({text, path + " line " + std::to_string(number)});
-    }
-    return lines;
-}
-
-bool is_image_name(const fs::path& path)
-{
-    const std::array<const char*, 9> known{
-        ".png", ".jpg", ".jpeg", ".pgm", ".ppm", ".pnm", ".bmp", ".tif", ".tiff"};
-    auto extension = path.extension().string();
-    std::transform(extension.begin(),
-                   extension.end(),
-                   extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::find(known.begin(), known.end(), extension) != known.end();
-}
 
 ListedImage parse_list_line(const TextLine& line, const fs::path& folder)
 {
@@ -111,7 +51,7 @@ std::vector<Stamp> stamps_of_list(const std::vector<ListedImage>& images)
 std::vector<Stamp> stamps_of_file(const std::string& path)
 {
     std::vector<Stamp> stamps;
-    for (const auto& line : read_lines(path))
+    for (const auto& line : read_text_lines(path))
     {
         const auto seconds = parse_number<double>(line.text);
         if (!seconds)
@@ -165,27 +105,21 @@ void check_stamps(const std::vector<Stamp>& stamps)
 
 std::vector<ListedImage> list_image_folder(const std::string& folder)
 {
-    if (!fs::is_directory(folder))
-        throw std::runtime_error("no such folder of images: '" + folder + "'; check the path");
-    std::vector<std::string> paths;
-    for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.is_regular_file() && is_image_name(entry.path()))
-            paths.push_back(entry.path().string());
+    const auto paths = image_paths_in(folder);
     if (paths.empty())
         throw std::runtime_error(
-            "no image in folder " + folder +
+            "no image in folder " + folder + example_in(folder) +
             "; it must hold .png .jpg .jpeg .pgm .ppm .pnm .bmp .tif or .tiff files");
-    std::sort(paths.begin(), paths.end());
     std::vector<ListedImage> images;
     images.reserve(paths.size());
-    for (const auto& path : paths) images.push_back({path, path, std::nullopt});
+    for (const auto& path : paths) images.push_back({{path, path}, std::nullopt});
     return images;
 }
 
 std::vector<ListedImage> read_image_list(const std::string& path)
 {
     std::vector<ListedImage> images;
-    for (const auto& line : read_lines(path))
+    for (const auto& line : read_text_lines(path))
     {
         images.push_back(parse_list_line(line, fs::path(path).parent_path()));
         if (images.back().seconds.has_value() != images.front().seconds.has_value())
@@ -213,20 +147,8 @@ std::vector<StampedImage> stamp_images(const std::vector<ListedImage>& images,
     std::vector<StampedImage> stamped;
     stamped.reserve(images.size());
     for (std::size_t i = 0; i < images.size(); ++i)
-        stamped.push_back({images[i].path, images[i].origin, stamps[i].seconds});
+        stamped.push_back({images[i], stamps[i].seconds});
     return stamped;
-}
-
-CameraModel read_calibration_file(const std::string& path)
-{
-    const auto lines = read_lines(path);
-    if (lines.empty())
-        throw std::runtime_error("no calibration in " + path +
-                                 "; write 'fx fy cx cy width height [k1 k2 p1 p2 [k3]]'");
-    if (lines.size() > 1)
-        throw std::runtime_error(lines[1].origin + ": '" + lines[1].text +
-                                 "' follows the camera's line; remove it");
-    return parse_camera_model(lines[0].text, lines[0].origin);
 }
 
 }  // namespace fild

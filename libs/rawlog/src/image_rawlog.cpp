@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/rawlog/image_rawlog.h"
 
+#include "checked_image.h"
+#include "fild/core/whole_file.h"
 #include "fild/rawlog/camera_conversion.h"
-#include "fild/rawlog/image_file.h"
 #include "fild/rawlog/rawlog_writer.h"
-#include "fild/rawlog/whole_folder.h"
-#include "image_store.h"
+#include "placed_images.h"
+#include "robot_frame.h"
+#include "robot_path_file.h"
 
+#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationImage.h>
+#include <mrpt/obs/CObservationStereoImages.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <map>
+#include <limits>
 #include <memory>
-#include <set>
 #include <stdexcept>
-#include <system_error>
+#include <utility>
 
 namespace fild
 {
@@ -22,12 +27,30 @@ namespace
 {
 namespace fs = std::filesystem;
 
-void check_request(const std::vector<StampedImage>& images, const ImageRawlogRequest& request)
+void check_request(const ImageRawlogRequest& request)
 {
-    if (images.empty()) throw std::invalid_argument("no images to write into a rawlog");
     if (request.sensor_label.empty()) throw std::invalid_argument("the sensor label is empty");
     if (fs::path(request.rawlog_path).extension() != ".rawlog")
         throw std::invalid_argument("'" + request.rawlog_path + "' is not of the form NAME.rawlog");
+}
+
+void check_recording(const Recording& recording)
+{
+    const auto& frames = recording.frames;
+    if (frames.empty()) throw std::invalid_argument("no images to write into a rawlog");
+    const auto of_one_kind = [&](const RecordedFrame& frame)
+    {
+        return frame.right.has_value() == frames[0].right.has_value() &&
+               frame.depth.has_value() == frames[0].depth.has_value();
+    };
+    if (!std::all_of(frames.begin(), frames.end(), of_one_kind) ||
+        (frames[0].right && frames[0].depth))
+        throw std::invalid_argument("a recording is either mono, stereo or with depth");
+    if (frames[0].right && !(recording.calibration && recording.calibration->baseline_m))
+        throw std::invalid_argument("a stereo recording needs a calibration with a baseline");
+    const double units = recording.depth_units_per_metre;
+    if (frames[0].depth && !(units > 0 && std::isfinite(units)))
+        throw std::invalid_argument("the depth units per metre must be above 0");
 }
 
 void refuse_existing(const fs::path& path)
@@ -37,150 +60,159 @@ void refuse_existing(const fs::path& path)
                                  " exists already; remove it or choose another output");
 }
 
-fs::path images_dir_of(const fs::path& rawlog)
+/** `NAME.rawlog` with another ending. */
+fs::path beside(const fs::path& rawlog, const std::string& ending)
 {
-    return rawlog.parent_path() / (rawlog.stem().string() + "_Images");
+    return rawlog.parent_path() / (rawlog.stem().string() + ending);
 }
 
-/** The pixels of a listed image. \throw std::runtime_error when they cannot be used. */
-cv::Mat load_checked(const StampedImage& listed, const std::optional<CameraModel>& camera)
+/** Names for both images of a pair in one folder, different ones. */
+std::pair<fs::path, fs::path> names_of_pair(const fs::path& left, const fs::path& right)
 {
-    // A path is its own origin when the images come from a folder.
-    const auto where =
-        listed.path + (listed.origin == listed.path ? "" : " (" + listed.origin + ")");
-    const auto stored = read_image_file(listed.path);
-    std::error_code error;  // exists() itself fails at a loop of links
-    if (!stored)
-        throw std::runtime_error(where +
-                                 (fs::exists(listed.path, error)
-                                      ? " is no image that can be read to its end; repair it"
-                                      : " does not exist; correct the path") +
-                                 " or leave it out");
-    auto image = as_grey_or_bgr(*stored);
-    if (!image)
-        throw std::runtime_error(where + " has neither 8-bit grey nor 8-bit colour pixels; " +
-                                 "convert it");
-    if (camera && (image->cols != camera->width || image->rows != camera->height))
-        throw std::runtime_error("the calibration is for " + std::to_string(camera->width) + "x" +
-                                 std::to_string(camera->height) + " pixels, " + where + " has " +
-                                 std::to_string(image->cols) + "x" + std::to_string(image->rows) +
-                                 "; correct the calibration or leave it out");
-    return *image;
+    if (left.filename() != right.filename()) return {left.filename(), right.filename()};
+    const auto with = [&](const std::string& side)
+    { return fs::path(left.stem().string() + side + left.extension().string()); };
+    return {with("_left"), with("_right")};
 }
 
-/** The images of a rawlog as files in a folder, each distinct file once. */
-class ImageFolder
+mrpt::math::CMatrix_u16 to_range_image(const cv::Mat& depth)
+{
+    mrpt::math::CMatrix_u16 ranges(static_cast<std::size_t>(depth.rows),
+                                   static_cast<std::size_t>(depth.cols));
+    cv::Mat same_memory(depth.size(), depth.type(), ranges.data());
+    depth.copyTo(same_memory);
+    return ranges;
+}
+
+/** Turns the frames of a recording into MRPT's observations. */
+class ObservationMaker
 {
  public:
-    ImageFolder(const fs::path& path, const std::optional<CameraModel>& camera)
-        : folder_(path), camera_(camera)
+    ObservationMaker(const Recording& recording, const std::string& label, PlacedImages& images)
+        : recording_(recording), label_(label), images_(images)
     {
+        if (recording.calibration) camera_ = mrpt_camera_from(recording.calibration->camera);
     }
 
-    /** Puts the image there unless it is there already. \return its name in the folder. */
-    std::string add(const StampedImage& listed);
-    WholeFolder& folder() { return folder_; }
+    mrpt::obs::CObservation::Ptr make(const RecordedFrame& frame)
+    {
+        mrpt::obs::CObservation::Ptr observation;
+        if (frame.right)
+            observation = stereo(frame);
+        else if (frame.depth)
+            observation = range_scan(frame);
+        else
+            observation = mono(frame);
+        observation->timestamp = mrpt::Clock::fromDouble(frame.image.seconds);
+        observation->sensorLabel = label_;
+        return observation;
+    }
 
  private:
-    std::string unused_name(const fs::path& wanted) const;
-    void put(const fs::path& source, const fs::path& target) const;
+    PlacedImage place(const ImageFile& file, const fs::path& name)
+    {
+        auto placed = images_.place(file, name);
+        if (recording_.calibration)
+            check_calibrated_size(file, placed.size, recording_.calibration->camera);
+        return placed;
+    }
 
-    WholeFolder folder_;
-    std::optional<CameraModel> camera_;
-    std::map<std::string, std::string> name_of_source_;
-    std::set<std::string> used_names_;
+    mrpt::obs::CObservationImage::Ptr mono(const RecordedFrame& frame);
+    mrpt::obs::CObservationStereoImages::Ptr stereo(const RecordedFrame& frame);
+    mrpt::obs::CObservation3DRangeScan::Ptr range_scan(const RecordedFrame& frame);
+
+    const Recording& recording_;
+    const std::string& label_;
+    PlacedImages& images_;
+    mrpt::img::TCamera camera_;  ///< MRPT's default stands for "not calibrated"
 };
 
-std::string ImageFolder::add(const StampedImage& listed)
+mrpt::obs::CObservationImage::Ptr ObservationMaker::mono(const RecordedFrame& frame)
 {
-    std::error_code error;  // a path that leads nowhere is told by load_checked
-    const auto source = fs::canonical(listed.path, error);
-    const auto known = name_of_source_.find(source.string());
-    if (!error && known != name_of_source_.end()) return known->second;
-    load_checked(listed, camera_);
-    auto name = unused_name(fs::path(listed.path).filename());
-    put(source, folder_.location() / name);
-    used_names_.insert(name);
-    name_of_source_.emplace(source.string(), name);
-    return name;
-}
-
-std::string ImageFolder::unused_name(const fs::path& wanted) const
-{
-    auto name = wanted.string();
-    for (int number = 2; used_names_.count(name) != 0; ++number)
-        name = wanted.stem().string() + "_" + std::to_string(number) + wanted.extension().string();
-    return name;
-}
-
-void ImageFolder::put(const fs::path& source, const fs::path& target) const
-{
-    std::error_code error;
-    fs::create_hard_link(source, target, error);
-    if (!error) return;
-    error.clear();
-    fs::copy_file(source, target, error);
-    if (error)
-        throw std::runtime_error("cannot copy " + source.string() +
-                                 " beside the rawlog: " + error.message() + "; is the disk full?");
-}
-
-mrpt::obs::CObservationImage observation_of(const StampedImage& listed,
-                                            const ImageRawlogRequest& request)
-{
-    mrpt::obs::CObservationImage observation;
-    observation.timestamp = mrpt::Clock::fromDouble(listed.seconds);
-    observation.sensorLabel = request.sensor_label;
-    if (request.camera) observation.cameraParams = mrpt_camera_from(*request.camera);
+    auto observation = mrpt::obs::CObservationImage::Create();
+    observation->image = place(frame.image, fs::path(frame.image.path).filename()).image;
+    observation->cameraParams = camera_;
+    observation->cameraPose = robot_from_camera();
     return observation;
 }
 
-ImageRawlogSummary write_embedded(const std::vector<StampedImage>& images,
-                                  const ImageRawlogRequest& request)
+mrpt::obs::CObservationStereoImages::Ptr ObservationMaker::stereo(const RecordedFrame& frame)
 {
-    RawlogWriter writer(request.rawlog_path);
-    std::set<std::string> distinct;
-    for (const auto& listed : images)
-    {
-        auto observation = observation_of(listed, request);
-        const auto pixels = load_checked(listed, request.camera);
-        observation.image = mrpt::img::CImage(pixels, mrpt::img::SHALLOW_COPY);
-        writer.write(observation);
-        distinct.insert(fs::canonical(listed.path).string());
-    }
-    writer.commit();
-    return {images.size(), distinct.size(), ""};
+    const auto [left_name, right_name] = names_of_pair(frame.image.path, frame.right->path);
+    auto left = place(frame.image, left_name);
+    auto right = images_.place(*frame.right, right_name);
+    check_same_size(frame.image, left.size, *frame.right, right.size);
+    auto observation = mrpt::obs::CObservationStereoImages::Create();
+    observation->imageLeft = std::move(left.image);
+    observation->imageRight = std::move(right.image);
+    observation->hasImageRight = true;
+    observation->leftCamera = camera_;
+    observation->rightCamera = camera_;
+    observation->cameraPose = mrpt::poses::CPose3DQuat(robot_from_camera());
+    observation->rightCameraPose.x(*recording_.calibration->baseline_m);
+    return observation;
 }
 
-ImageRawlogSummary write_with_folder(const std::vector<StampedImage>& images,
-                                     const ImageRawlogRequest& request)
+mrpt::obs::CObservation3DRangeScan::Ptr ObservationMaker::range_scan(const RecordedFrame& frame)
 {
-    const auto images_dir = images_dir_of(request.rawlog_path);
-    refuse_existing(images_dir);
-    RawlogWriter writer(request.rawlog_path);
-    ImageFolder folder(images_dir, request.camera);
-    std::set<std::string> distinct;
-    for (const auto& listed : images)
-    {
-        auto observation = observation_of(listed, request);
-        const auto name = folder.add(listed);
-        observation.image.setExternalStorage(name);
-        writer.write(observation);
-        distinct.insert(name);
-    }
-    folder.folder().commit();
-    writer.commit();
-    folder.folder().keep();
-    return {images.size(), distinct.size(), images_dir.string()};
+    auto colour = place(frame.image, fs::path(frame.image.path).filename());
+    const auto depth = load_checked_depth(*frame.depth);
+    check_same_size(frame.image, colour.size, *frame.depth, depth.size());
+    auto observation = mrpt::obs::CObservation3DRangeScan::Create();
+    observation->intensityImage = std::move(colour.image);
+    observation->hasIntensityImage = true;
+    observation->rangeImage = to_range_image(depth);
+    observation->hasRangeImage = true;
+    observation->range_is_depth = true;
+    observation->rangeUnits = static_cast<float>(1 / recording_.depth_units_per_metre);
+    constexpr float kLargestNumber = std::numeric_limits<std::uint16_t>::max();
+    observation->maxRange = kLargestNumber * observation->rangeUnits;
+    observation->cameraParams = camera_;
+    observation->cameraParamsIntensity = camera_;
+    observation->relativePoseIntensityWRTDepth = robot_from_camera();
+    return observation;
+}
+
+/** The file of the robot's path, all of it on disk, to be committed; null when there is no path. */
+std::unique_ptr<WholeFile> write_path(const fs::path& path_file,
+                                      const std::vector<StampedPose>& robot_path)
+{
+    if (robot_path.empty()) return nullptr;
+    auto file = std::make_unique<WholeFile>(path_file.string());
+    write_robot_path(file->stream(), robot_path);
+    if (!file->stream().flush())
+        throw std::runtime_error("cannot write " + path_file.string() + "; is the disk full?");
+    return file;
 }
 }  // namespace
 
-ImageRawlogSummary write_image_rawlog(const std::vector<StampedImage>& images,
-                                      const ImageRawlogRequest& request)
+ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRawlogRequest& request)
 {
-    check_request(images, request);
+    check_request(request);
+    check_recording(recording);
+    const auto images_dir = beside(request.rawlog_path, "_Images");
+    const auto path_file = beside(request.rawlog_path, ".gt.tum");
     refuse_existing(request.rawlog_path);
-    return request.embed ? write_embedded(images, request) : write_with_folder(images, request);
+    if (!request.embed) refuse_existing(images_dir);
+    if (!recording.robot_path.empty()) refuse_existing(path_file);
+
+    const auto robot_path = write_path(path_file, recording.robot_path);
+    RawlogWriter writer(request.rawlog_path);
+    PlacedImages images(request.embed ? std::nullopt : std::make_optional(images_dir));
+    ObservationMaker maker(recording, request.sensor_label, images);
+    for (const auto& frame : recording.frames) writer.write(*maker.make(frame));
+    images.commit();
+    writer.commit();
+    images.keep();
+    if (robot_path) robot_path->commit();
+
+    ImageRawlogSummary summary;
+    summary.frames = recording.frames.size();
+    summary.images = images.count();
+    summary.depth_images = recording.frames[0].depth ? summary.frames : 0;
+    if (!request.embed) summary.images_dir = images_dir.string();
+    if (robot_path) summary.ground_truth_path = path_file.string();
+    return summary;
 }
 
 }  // namespace fild

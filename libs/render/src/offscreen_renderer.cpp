@@ -7,7 +7,6 @@
 #include <opencv2/imgproc.hpp>
 
 #include <GL/gl.h>
-#include <GL/glext.h>
 #include <GL/osmesa.h>
 #include <array>
 #include <dlfcn.h>
@@ -69,26 +68,39 @@ mrpt::img::TCamera sampling_camera(const CameraModel& camera)
 
 /** Depth of a pixel out of its samples: at the edge of an object that of the object, not a mean
  *  with what is behind it. */
-float pixel_depth(const mrpt::math::CMatrixFloat& samples, int row, int column)
+float pixel_depth(const std::array<float, kSamplesPerSide * kSamplesPerSide>& samples)
 {
     float nearest = 0;
-    for (int y = row * kSamplesPerSide; y < (row + 1) * kSamplesPerSide; ++y)
-        for (int x = column * kSamplesPerSide; x < (column + 1) * kSamplesPerSide; ++x)
-            if (samples(y, x) > 0 && (nearest == 0 || samples(y, x) < nearest))
-                nearest = samples(y, x);
+    for (const float depth : samples)
+        if (depth > 0 && (nearest == 0 || depth < nearest)) nearest = depth;
     if (nearest == 0) return 0;
     constexpr float kSameSurface = 1.05F;
     float sum_of_inverses = 0;
     int count = 0;
-    for (int y = row * kSamplesPerSide; y < (row + 1) * kSamplesPerSide; ++y)
-        for (int x = column * kSamplesPerSide; x < (column + 1) * kSamplesPerSide; ++x)
-            if (samples(y, x) > 0 && samples(y, x) < nearest * kSameSurface)
-            {
-                sum_of_inverses += 1 / samples(y, x);
-                ++count;
-            }
+    for (const float depth : samples)
+        if (depth > 0 && depth < nearest * kSameSurface)
+        {
+            sum_of_inverses += 1 / depth;
+            ++count;
+        }
     // On a plane it is the inverse of the depth that is linear in the image.
     return static_cast<float>(count) / sum_of_inverses;
+}
+
+cv::Mat pixel_depths(const mrpt::math::CMatrixFloat& samples, const cv::Size& size)
+{
+    cv::Mat depths(size, CV_32F);
+    for (int row = 0; row < size.height; ++row)
+        for (int column = 0; column < size.width; ++column)
+        {
+            std::array<float, kSamplesPerSide * kSamplesPerSide> of_pixel{};
+            for (int i = 0; i < kSamplesPerSide * kSamplesPerSide; ++i)
+                of_pixel[static_cast<std::size_t>(i)] =
+                    samples(row * kSamplesPerSide + i / kSamplesPerSide,
+                            column * kSamplesPerSide + i % kSamplesPerSide);
+            depths.at<float>(row, column) = pixel_depth(of_pixel);
+        }
+    return depths;
 }
 }  // namespace
 
@@ -189,10 +201,7 @@ RenderedView OffscreenRenderer::draw(const CameraModel& camera,
     RenderedView view;
     const cv::Size size(camera.width, camera.height);
     cv::resize(samples.asCvMatRef(), view.image, size, 0, 0, cv::INTER_AREA);
-    view.depth.create(size, CV_32F);
-    for (int row = 0; row < size.height; ++row)
-        for (int column = 0; column < size.width; ++column)
-            view.depth.at<float>(row, column) = pixel_depth(depth_samples, row, column);
+    view.depth = pixel_depths(depth_samples, size);
     return view;
 }
 

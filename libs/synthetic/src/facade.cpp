@@ -126,15 +126,13 @@ void FacadePainter::glass(const cv::Rect2d& pane)
         const double shade = sky * (1 - 0.5 * (y - area.y) / std::max(1, area.height));
         cv::line(canvas_, {area.x, y}, {area.br().x - 1, y}, {shade, shade * 0.9, shade * 0.8});
     }
-    const std::array<cv::Point, 3> reflection{
-        cv::Point(area.x + wear_.whole(0, area.width), area.y),
-        cv::Point(area.br().x, area.y + wear_.whole(0, area.height)),
-        cv::Point(area.x + wear_.whole(0, area.width), area.br().y)};
-    cv::Mat part = canvas_(area & cv::Rect({0, 0}, canvas_.size()));
+    const auto visible = area & cv::Rect({0, 0}, canvas_.size());
+    cv::Mat part = canvas_(visible);
     cv::Mat lit = part.clone();
-    std::vector<cv::Point> polygon;
-    for (const auto& corner : reflection) polygon.push_back(corner - area.tl());
-    cv::fillConvexPoly(lit, polygon, cv::Scalar(190, 180, 165), cv::LINE_AA);
+    const std::vector<cv::Point> reflection{cv::Point(wear_.whole(0, area.width), 0),
+                                            cv::Point(area.width, wear_.whole(0, area.height)),
+                                            cv::Point(wear_.whole(0, area.width), area.height)};
+    cv::fillConvexPoly(lit, reflection, cv::Scalar(190, 180, 165), cv::LINE_AA);
     cv::addWeighted(lit, 0.35, part, 0.65, 0, part);
 }
 

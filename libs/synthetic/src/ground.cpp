@@ -235,7 +235,7 @@ cv::Mat paint_ground(const TownPlan& plan, const cv::Rect2d& area, std::uint64_t
     return painter.canvas();
 }
 
-void cast_shadows(cv::Mat canvas,
+void cast_shadows(cv::Mat& canvas,
                   const cv::Rect2d& area,
                   const TownPlan& plan,
                   const cv::Point2d& shadow)

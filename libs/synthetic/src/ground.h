@@ -11,7 +11,7 @@ cv::Mat paint_ground(const TownPlan& plan, const cv::Rect2d& area, std::uint64_t
 
 /** Darkens what lies in the shadow of houses and trees. \param canvas  of paint_ground().
  *  \param shadow  horizontal metres of shadow per metre of height, and where to. */
-void cast_shadows(cv::Mat canvas,
+void cast_shadows(cv::Mat& canvas,
                   const cv::Rect2d& area,
                   const TownPlan& plan,
                   const cv::Point2d& shadow);

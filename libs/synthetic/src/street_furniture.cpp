@@ -92,8 +92,8 @@ void add_post(TexturedMesh& mesh,
 /** A lumpy ball of leaves. */
 void add_crown(TexturedMesh& mesh, const cv::Point3d& centre, double radius, Lot& lot)
 {
-    constexpr int kAround = 12;
-    constexpr int kUp = 8;
+    constexpr int kAround = 10;
+    constexpr int kUp = 7;
     std::array<std::array<double, kAround + 1>, kUp + 1> lumps{};
     for (auto& ring : lumps)
     {

@@ -37,7 +37,7 @@ cv::Mat fractal_noise(const cv::Size& size, double coarsest_px, Lot& lot)
     return sum / std::sqrt(std::max(squares, 1e-9));
 }
 
-void shade(cv::Mat canvas, const cv::Mat& noise, double strength)
+void shade(cv::Mat& canvas, const cv::Mat& noise, double strength)
 {
     for (int y = 0; y < canvas.rows; ++y)
         for (int x = 0; x < canvas.cols; ++x)
@@ -50,7 +50,7 @@ void shade(cv::Mat canvas, const cv::Mat& noise, double strength)
         }
 }
 
-void add_grain(cv::Mat canvas, double deviation, Lot& lot)
+void add_grain(cv::Mat& canvas, double deviation, Lot& lot)
 {
     const auto noise = white_noise(canvas.size(), lot);
     for (int y = 0; y < canvas.rows; ++y)
@@ -64,7 +64,7 @@ void add_grain(cv::Mat canvas, double deviation, Lot& lot)
         }
 }
 
-void lay_bricks(cv::Mat canvas,
+void lay_bricks(cv::Mat& canvas,
                 const cv::Rect& area,
                 const cv::Size& brick,
                 const Colour& colour,
@@ -82,13 +82,13 @@ void lay_bricks(cv::Mat canvas,
         }
 }
 
-void tint(cv::Mat canvas, const cv::Rect& area, double factor)
+void tint(cv::Mat& canvas, const cv::Rect& area, double factor)
 {
     auto part = canvas(area & cv::Rect({0, 0}, canvas.size()));
     part.convertTo(part, -1, factor);
 }
 
-void add_stains(cv::Mat canvas, int count, int largest_px, Lot& lot)
+void add_stains(cv::Mat& canvas, int count, int largest_px, Lot& lot)
 {
     for (int i = 0; i < count; ++i)
     {

@@ -41,13 +41,13 @@ inline Colour brighter(const Colour& colour, double factor)
 cv::Mat fractal_noise(const cv::Size& size, double coarsest_px, Lot& lot);
 
 /** Multiplies the brightness of `canvas` by 1 + strength * noise. */
-void shade(cv::Mat canvas, const cv::Mat& noise, double strength);
+void shade(cv::Mat& canvas, const cv::Mat& noise, double strength);
 
 /** Adds the grain of a rough surface, `deviation` grey values, equal in the three colours. */
-void add_grain(cv::Mat canvas, double deviation, Lot& lot);
+void add_grain(cv::Mat& canvas, double deviation, Lot& lot);
 
 /** Fills `area` with running-bond bricks of the given size in pixels. */
-void lay_bricks(cv::Mat canvas,
+void lay_bricks(cv::Mat& canvas,
                 const cv::Rect& area,
                 const cv::Size& brick,
                 const Colour& colour,
@@ -55,9 +55,9 @@ void lay_bricks(cv::Mat canvas,
                 Lot& lot);
 
 /** Darkens or lightens `area` by `factor`. */
-void tint(cv::Mat canvas, const cv::Rect& area, double factor);
+void tint(cv::Mat& canvas, const cv::Rect& area, double factor);
 
 /** Blots and cracks of age: `count` stains of up to `largest_px`. */
-void add_stains(cv::Mat canvas, int count, int largest_px, Lot& lot);
+void add_stains(cv::Mat& canvas, int count, int largest_px, Lot& lot);
 
 }  // namespace fild

@@ -192,10 +192,11 @@ mrpt::opengl::CSetOfTexturedTriangles::Ptr sky_dome(std::uint64_t seed)
     };
     for (int around = 0; around < kAround; ++around)
         for (int up = 0; up < kUp; ++up)
-            mesh.add_quad(corner(around + 1, up),
-                          corner(around, up),
-                          corner(around, up + 1),
-                          corner(around + 1, up + 1));
+        {
+            const auto next = around + 1;
+            mesh.add_triangle(corner(next, up), corner(around, up), corner(around, up + 1));
+            mesh.add_triangle(corner(next, up), corner(around, up + 1), corner(next, up + 1));
+        }
     return mesh.object(paint_sky(seed), false);
 }
 

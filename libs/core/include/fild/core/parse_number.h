@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace fild
 {
@@ -21,5 +22,10 @@ std::optional<Number> parse_number(const std::string& word)
         if (!std::isfinite(value)) return std::nullopt;
     return value;
 }
+
+/** The words of `text`, which are separated by blanks, as finite numbers. \param origin  named in
+ *  errors: where the text came from. \throw std::runtime_error naming the first word that is no
+ *  number. */
+std::vector<double> parse_numbers(const std::string& text, const std::string& origin);
 
 }  // namespace fild

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/core/camera_model.h"
-
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace fild
 {
-/** One image of a recording. Value type. */
-struct ListedImage
+/** An image file. Value type. */
+struct ImageFile
 {
     std::string path;
     std::string origin;  ///< "list.txt line 12", or the path: named in errors
+};
+
+/** One image of a list or folder. Value type. */
+struct ListedImage : ImageFile
+{
     std::optional<double> seconds;  ///< from the list's second column
 };
 
 /** An image and when it was taken. Value type. */
-struct StampedImage
+struct StampedImage : ImageFile
 {
-    std::string path;
-    std::string origin;  ///< as in ListedImage
     double seconds = 0;  ///< since the UNIX epoch, or since any start
 };
 
@@ -53,9 +54,5 @@ std::vector<ListedImage> read_image_list(const std::string& path);
  *         both places). */
 std::vector<StampedImage> stamp_images(const std::vector<ListedImage>& images,
                                        const TimestampSource& source);
-
-/** Reads a calibration file: the line of parse_camera_model; blank lines and lines that begin with
- *  `#` are passed over. \throw std::runtime_error naming file and line. */
-CameraModel read_calibration_file(const std::string& path);
 
 }  // namespace fild

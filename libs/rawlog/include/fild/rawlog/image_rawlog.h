@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/core/camera_model.h"
-#include "fild/rawlog/image_list.h"
+#include "fild/rawlog/recording.h"
 
 #include <cstddef>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace fild
 {
-/** What write_image_rawlog() is to make of a list of images. Value type. */
+/** How write_image_rawlog() is to write a recording. Value type. */
 struct ImageRawlogRequest
 {
     std::string rawlog_path;  ///< must end in ".rawlog"
     std::string sensor_label = "CAMERA1";
-    std::optional<CameraModel> camera;  ///< goes into each observation
     bool embed = false;  ///< pixels in the rawlog rather than in files beside it
 };
 
@@ -24,23 +20,34 @@ struct ImageRawlogRequest
 struct ImageRawlogSummary
 {
     std::size_t frames = 0;
-    std::size_t images = 0;  ///< distinct image files
+    std::size_t images = 0;  ///< distinct image files, left and right; depth not counted
+    std::size_t depth_images = 0;
     std::string images_dir;  ///< empty when the images are embedded
+    std::string ground_truth_path;  ///< empty when the recording has no path of the robot
 };
 
-/** Writes images as CObservationImage into a gzipped rawlog.
+/** Writes a recording into a gzipped rawlog, an observation a frame: CObservationImage,
+ *  CObservationStereoImages for a stereo pair, CObservation3DRangeScan for an image with depth.
+ * Both cameras of a pair get the same camera model. The robot's frame is that of StampedPose, so a
+ *  camera's pose on the robot is (0, 0, 0, -90 deg, 0, -90 deg); a range scan's own frame is that
+ * of the robot.
  *
- *  Unless embedded, each distinct file is put once into `NAME_Images` beside `NAME.rawlog`, by hard
- *  link where the file system allows it (so one must not edit it in place), else as a copy; of two
- *  different files of one name the second becomes `name_2.png`. Every image is decoded once to see
- *  that it is whole. Rawlog and folder appear under their names only when both are done. Cost:
- *  decoding each distinct image (each frame's, when embedded). Deterministic.
- *  \throw std::invalid_argument when the path does not end in ".rawlog", the label is empty or
- *         there is no image.
- *  \throw std::runtime_error naming file and origin: rawlog or folder exists already, an image is
- *         unreadable, neither 8-bit grey nor 8-bit colour, or not of the calibrated size; full
- * disk. */
-ImageRawlogSummary write_image_rawlog(const std::vector<StampedImage>& images,
+ *  Unless embedded, each distinct image file is put once into `NAME_Images` beside `NAME.rawlog`,
+ * by hard link where the file system allows it (so one must not edit it in place), else as a copy.
+ *  Left and right image of one name become `name_left.png` and `name_right.png`; of two different
+ *  files of one name the second becomes `name_2.png`. Depth is stored in the rawlog always, as it
+ *  is, with rangeUnits = 1 / depth_units_per_metre. The path of the robot goes to `NAME.gt.tum`:
+ *  `seconds x y z qx qy qz qw` a line.
+ *
+ *  Every image is decoded once to see that it is whole. Rawlog, folder and path appear under their
+ *  names only when all are done. Cost: decoding each distinct image (each frame's, when embedded).
+ *  Deterministic.
+ *  \throw std::invalid_argument when the path does not end in ".rawlog", the label is empty, there
+ *         is no frame, or the recording is not as its description wants.
+ *  \throw std::runtime_error naming file and origin: an output exists already, an image is
+ *         unreadable, neither 8-bit grey nor 8-bit colour (depth: 16-bit grey), not of the
+ *         calibrated size or not of the size of the image beside it; full disk. */
+ImageRawlogSummary write_image_rawlog(const Recording& recording,
                                       const ImageRawlogRequest& request);
 
 }  // namespace fild

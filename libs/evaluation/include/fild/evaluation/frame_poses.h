@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/verdict.h"
+
+#include <opencv2/core/matx.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** Pose of a frame's camera, or of the robot that carries it: world_from_camera. */
+struct FramePose
+{
+    cv::Matx33d rotation = cv::Matx33d::eye();
+    cv::Vec3d position;  ///< metres
+};
+
+/** When and where a frame was taken. */
+struct PosedFrame
+{
+    double timestamp = 0;  ///< seconds
+    std::optional<FramePose> pose;  ///< none: unknown
+};
+
+/** A TUM pose belongs to the frame when their times differ by at most so many seconds. */
+constexpr double kMaxPoseTimeDifference = 0.02;
+
+/** Angle of the rotation between two poses, radians, in [0, pi]. */
+double angle_between(const FramePose& a, const FramePose& b);
+
+/** Reads poses in KITTI's format, 12 numbers a line (row-major 3x4 matrix), line i for frame i.
+ *  \throw std::runtime_error naming file and line, or both counts when they differ. */
+std::vector<PosedFrame> read_kitti_poses(const std::string& path,
+                                         const std::vector<FrameVerdict>& frames);
+
+/** Reads poses in TUM's format, `seconds x y z qx qy qz qw` a line. With one line for each frame,
+ *  line i belongs to frame i; else each frame takes the line nearest in time that is at most
+ *  kMaxPoseTimeDifference away, or has no pose.
+ *  \throw std::runtime_error naming file and line, or when no frame has a pose. */
+std::vector<PosedFrame> read_tum_poses(const std::string& path,
+                                       const std::vector<FrameVerdict>& frames);
+
+}  // namespace fild

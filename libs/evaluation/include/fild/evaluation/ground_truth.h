@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/verdict.h"
+#include "fild/evaluation/loop_truth.h"
+#include "fild/evaluation/protocol.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** A ground-truth file, ready to be asked. */
+struct GroundTruth
+{
+    std::string content;  ///< "loop matrix, 3474 frames, 10811 pairs"
+    std::vector<std::string> remarks;  ///< what was found odd and how it was taken; mostly none
+    std::unique_ptr<LoopTruth> truth;
+};
+
+/** Loads a ground-truth file of a run. What it is shows in its content: a MATLAB file is a loop
+ *  matrix; of text, the first line that is neither blank nor a comment has 2 numbers (list of
+ *  loops), 8 (TUM poses) or 12 (KITTI poses).
+ *  \throw std::invalid_argument when the protocol does not go with the file: poses need `radius:R`,
+ *         labels `exact` or `window:N`.
+ *  \throw std::runtime_error naming the file: unreadable or of unknown format, of another length
+ *         than the run, naming frames that the run does not have, or without any loop. Poses
+ *         without a return are no error: a run has nothing to find there. */
+GroundTruth load_ground_truth(const std::string& path,
+                              const std::vector<FrameVerdict>& frames,
+                              const Protocol& protocol);
+
+}  // namespace fild

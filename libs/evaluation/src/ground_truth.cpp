@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/evaluation/ground_truth.h"
+
+#include "number_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+enum class Format
+{
+    loop_matrix,
+    loop_list,
+    tum_poses,
+    kitti_poses
+};
+
+/** The first bytes of a MATLAB file of version 5 or 7.3, or an extension that says so. */
+bool is_matlab_file(const std::string& path)
+{
+    std::array<char, 6> start{};
+    std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+    return std::string(start.data(), start.size()) == "MATLAB" ||
+           std::filesystem::path(path).extension() == ".mat";
+}
+
+Format format_of(const std::string& path)
+{
+    if (!std::filesystem::exists(path))
+        throw std::runtime_error("no such ground-truth file: '" + path + "'");
+    if (is_matlab_file(path)) return Format::loop_matrix;
+    const auto rows = read_number_rows(path, 1);
+    if (rows.empty()) throw std::runtime_error("no loop and no pose in " + path);
+    switch (rows[0].values.size())
+    {
+        case 2:
+            return Format::loop_list;
+        case 8:
+            return Format::tum_poses;
+        case 12:
+            return Format::kitti_poses;
+        default:
+            throw std::runtime_error(rows[0].origin + ": " + std::to_string(rows[0].values.size()) +
+                                     " numbers; ground truth has 2 (QUERY CANDIDATE), 8 (TUM pose) "
+                                     "or 12 (KITTI pose) a line, or is a MATLAB file");
+    }
+}
+
+void require_same_length(const LoopLabels& labels, std::size_t frames, const std::string& path)
+{
+    if (labels.frames && *labels.frames != frames)
+        throw std::runtime_error(path + " labels " + std::to_string(*labels.frames) +
+                                 " frames, the run has " + std::to_string(frames) +
+                                 "; is it the truth of this recording?");
+    if (labels.earlier_frames.empty()) throw std::runtime_error("no loop in " + path);
+    for (const auto& [query, earlier] : labels.earlier_frames)
+        if (query >= frames)
+            throw std::runtime_error(path + " names frame " + std::to_string(query) +
+                                     ", the run has " + std::to_string(frames) +
+                                     " frames from 0; is it the truth of this recording?");
+}
+
+std::string count_of(std::size_t count, const std::string& one, const std::string& many)
+{
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::vector<std::string> remarks_on(const LoopLabels& labels)
+{
+    std::vector<std::string> remarks;
+    if (labels.transposed)
+        remarks.emplace_back(
+            "most entries are above the diagonal: stored transposed, rows and columns swapped");
+    if (labels.mirrored > 0)
+        remarks.push_back(count_of(labels.mirrored, "entry repeats", "entries repeat") +
+                          " one below the diagonal above it: ignored");
+    if (labels.on_diagonal > 0)
+        remarks.push_back(count_of(labels.on_diagonal, "entry", "entries") +
+                          " on the diagonal: ignored");
+    if (labels.dropped > 0)
+        remarks.push_back(count_of(labels.dropped, "entry", "entries") +
+                          " above the diagonal: a label error, dropped");
+    if (const auto count = labels.unanswerable_queries(); count > 0)
+        remarks.push_back(count_of(count, "loop query has", "loop queries have") +
+                          " no other entry: cannot be answered, counts as missed, as in published "
+                          "numbers");
+    return remarks;
+}
+
+GroundTruth load_labels(const std::string& path,
+                        Format format,
+                        std::size_t frames,
+                        const Protocol& protocol)
+{
+    if (protocol.kind == Protocol::Kind::radius)
+        throw std::invalid_argument(path + " holds labels, not poses: the protocol must be exact " +
+                                    "or window:N");
+    const bool matrix = format == Format::loop_matrix;
+    auto labels = matrix ? read_loop_matrix(path) : read_loop_list(path);
+    require_same_length(labels, frames, path);
+    GroundTruth ground_truth;
+    ground_truth.content = (matrix ? "loop matrix of " + std::to_string(frames) + " frames, "
+                                   : std::string("list of loops, ")) +
+                           count_of(labels.pairs, "pair", "pairs");
+    ground_truth.remarks = remarks_on(labels);
+    const auto window = protocol.kind == Protocol::Kind::window ? protocol.window : 0;
+    ground_truth.truth = std::make_unique<LabelTruth>(std::move(labels), window);
+    return ground_truth;
+}
+
+GroundTruth load_poses(const std::string& path,
+                       Format format,
+                       const std::vector<FrameVerdict>& frames,
+                       const Protocol& protocol)
+{
+    if (protocol.kind != Protocol::Kind::radius)
+        throw std::invalid_argument(path + " holds poses, not labels: the protocol must be " +
+                                    "radius:R");
+    const bool tum = format == Format::tum_poses;
+    auto posed = tum ? read_tum_poses(path, frames) : read_kitti_poses(path, frames);
+    const auto unknown = static_cast<std::size_t>(std::count_if(
+        posed.begin(), posed.end(), [](const PosedFrame& frame) { return !frame.pose; }));
+    GroundTruth ground_truth;
+    ground_truth.content = std::string(tum ? "TUM" : "KITTI") + " poses of " +
+                           count_of(posed.size() - unknown, "frame", "frames");
+    if (unknown > 0)
+        ground_truth.remarks.push_back(count_of(unknown, "frame has", "frames have") + " no pose");
+    ground_truth.truth = std::make_unique<PoseTruth>(std::move(posed), protocol);
+    return ground_truth;
+}
+}  // namespace
+
+GroundTruth load_ground_truth(const std::string& path,
+                              const std::vector<FrameVerdict>& frames,
+                              const Protocol& protocol)
+{
+    const auto format = format_of(path);
+    return format == Format::loop_matrix || format == Format::loop_list
+               ? load_labels(path, format, frames.size(), protocol)
+               : load_poses(path, format, frames, protocol);
+}
+
+}  // namespace fild

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/evaluation/protocol.h"
+
+#include "fild/core/parse_number.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace fild
+{
+Protocol parse_protocol(const std::string& word)
+{
+    Protocol protocol;
+    if (word == "exact") return protocol;
+    const auto colon = word.find(':');
+    const auto name = word.substr(0, colon);
+    const auto argument = colon == std::string::npos ? "" : word.substr(colon + 1);
+    if (const auto window = parse_number<std::size_t>(argument);
+        name == "window" && window && *window > 0)
+    {
+        protocol.kind = Protocol::Kind::window;
+        protocol.window = *window;
+        return protocol;
+    }
+    if (const auto radius = parse_number<double>(argument);
+        name == "radius" && radius && *radius > 0)
+    {
+        protocol.kind = Protocol::Kind::radius;
+        protocol.radius = *radius;
+        return protocol;
+    }
+    throw std::invalid_argument("'" + word +
+                                "' is no protocol; it is exact, window:N (frames, at least 1) or "
+                                "radius:R (metres, above 0)");
+}
+
+std::string to_word(const Protocol& protocol)
+{
+    std::ostringstream word;
+    switch (protocol.kind)
+    {
+        case Protocol::Kind::exact:
+            word << "exact";
+            break;
+        case Protocol::Kind::window:
+            word << "window:" << protocol.window;
+            break;
+        case Protocol::Kind::radius:
+            word << "radius:" << protocol.radius;
+            break;
+    }
+    return word.str();
+}
+
+std::string rule_of(const Protocol& protocol)
+{
+    std::ostringstream rule;
+    rule << "a loop closure is right when ";
+    switch (protocol.kind)
+    {
+        case Protocol::Kind::exact:
+            rule << "its query and candidate are a labelled pair";
+            break;
+        case Protocol::Kind::window:
+            rule << "its candidate is at most " << protocol.window
+                 << " frames from one that is labelled for its query";
+            break;
+        case Protocol::Kind::radius:
+            rule << "its poses are at most " << protocol.radius << " m and "
+                 << protocol.max_angle_deg << " degrees apart and its candidate is at least "
+                 << protocol.min_age_seconds
+                 << " s older than its query; neither right nor wrong when the candidate is "
+                    "younger, or a pose is unknown";
+            break;
+    }
+    return rule.str();
+}
+
+}  // namespace fild

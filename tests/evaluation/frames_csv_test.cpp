@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/evaluation/frames_csv.h"
+
+#include "fild/report/verdict_csv.h"
+#include "message_of.h"
+#include "temporary_folder.h"
+
+namespace
+{
+using fild::testing::message_of;
+using ::testing::HasSubstr;
+
+const std::string kHeader =
+    "frame,timestamp,sensor_label,keypoints,candidate,similarity,matches,inliers,accepted,"
+    "rejection\n";
+
+std::vector<fild::FrameVerdict> read(const std::string& text)
+{
+    const fild::testing::TemporaryFolder folder;
+    fild::testing::write_text(folder.path("frames.csv"), text);
+    return fild::read_frames_csv(folder.path("frames.csv"));
+}
+
+std::string error_of(const std::string& rows)
+{
+    return message_of<std::runtime_error>([&] { read(kHeader + rows); });
+}
+
+TEST(ReadFramesCsv, ReadsWhatTheReportWrites)
+{
+    fild::FrameVerdict first;
+    first.timestamp = 1226322307.261530;
+    first.sensor_label = "left, \"front\"";
+    first.rejection = fild::Rejection::too_early;
+    fild::FrameVerdict second = first;
+    second.frame = fild::FrameId{1};
+    second.keypoints = 2050;
+    second.candidate = fild::Candidate{fild::FrameId{0}, -0.25};
+    second.matches = 200;
+    second.inliers = 186;
+    second.rejection = fild::Rejection::none;
+    const fild::testing::TemporaryFolder folder;
+    fild::VerdictCsv csv(folder.path("frames.csv"));
+    csv.add(first);
+    csv.add(second);
+    csv.commit();
+
+    const auto frames = fild::read_frames_csv(folder.path("frames.csv"));
+    ASSERT_EQ(frames.size(), 2U);
+    EXPECT_EQ(frames[0].sensor_label, first.sensor_label);
+    EXPECT_NEAR(frames[0].timestamp, first.timestamp, 1e-6);
+    EXPECT_EQ(frames[0].rejection, fild::Rejection::too_early);
+    EXPECT_FALSE(frames[0].candidate);
+    EXPECT_TRUE(frames[1].accepted());
+    EXPECT_EQ(frames[1].frame, fild::FrameId{1});
+    EXPECT_EQ(frames[1].candidate->frame, fild::FrameId{0});
+    EXPECT_DOUBLE_EQ(frames[1].candidate->similarity, -0.25);
+    EXPECT_EQ(frames[1].keypoints, 2050U);
+    EXPECT_EQ(frames[1].matches, 200U);
+    EXPECT_EQ(frames[1].inliers, 186U);
+}
+
+TEST(ReadFramesCsv, RefusesWhatIsNoFramesCsv)
+{
+    EXPECT_THAT(message_of<std::runtime_error>([] { fild::read_frames_csv("no/such/frames.csv"); }),
+                HasSubstr("no/such/frames.csv"));
+    EXPECT_THAT(message_of<std::runtime_error>([] { read("frame,candidate\n0,0\n"); }),
+                HasSubstr("header"));
+    EXPECT_THAT(message_of<std::runtime_error>([] { read(""); }), HasSubstr("frames.csv"));
+    EXPECT_THAT(error_of(""), HasSubstr("no frame"));
+}
+
+TEST(ReadFramesCsv, RefusesRowsThatAreNoVerdicts)
+{
+    const std::string good = "0,0,C,10,,,0,0,0,too_early\n";
+    EXPECT_THAT(error_of(good + "1,1,C,10,0\n"), HasSubstr("line 3: 5 columns"));
+    EXPECT_THAT(error_of(good + "2,1,C,10,,,0,0,0,too_early\n"), HasSubstr("frame 1 is expected"));
+    EXPECT_THAT(error_of("0,now,C,10,,,0,0,0,too_early\n"), HasSubstr("'now' is not a number"));
+    EXPECT_THAT(error_of("0,0,C,10,,,0,0,0,dull\n"), HasSubstr("'dull'"));
+    EXPECT_THAT(error_of("0,0,C,10,,,0,0,1,too_early\n"), HasSubstr("contradicts"));
+    EXPECT_THAT(error_of("0,0,C,10,,,0,0,1,\n"), HasSubstr("without a candidate"));
+    EXPECT_THAT(error_of(good + "1,1,C,10,1,0.5,9,9,1,\n"), HasSubstr("not an earlier frame"));
+}
+
+}  // namespace
