@@ -54,4 +54,14 @@ TEST(WholeFile, ReportsAFailedWrite)
     EXPECT_THROW(file.commit(), std::runtime_error);
 }
 
+TEST(RefuseExisting, NamesWhatIsThere)
+{
+    const fild::testing::TemporaryFolder folder;
+    EXPECT_NO_THROW(fild::refuse_existing(folder.path("new")));
+    std::filesystem::create_symlink("nowhere", folder.path("dangling"));
+    for (const auto& path : {folder.path(), folder.path("dangling")})
+        EXPECT_EQ(message_of<std::runtime_error>([&] { fild::refuse_existing(path); }),
+                  path + " exists already; remove it or choose another output");
+}
+
 }  // namespace

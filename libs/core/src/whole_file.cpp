@@ -39,4 +39,10 @@ void WholeFile::commit()
     committed_ = true;
 }
 
+void refuse_existing(const std::string& path)
+{
+    if (std::filesystem::exists(std::filesystem::symlink_status(path)))
+        throw std::runtime_error(path + " exists already; remove it or choose another output");
+}
+
 }  // namespace fild

@@ -5,9 +5,9 @@
 #include "fild/core/whole_file.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "fild/rawlog/rawlog_writer.h"
+#include "fild/rawlog/robot_path_file.h"
 #include "placed_images.h"
 #include "robot_frame.h"
-#include "robot_path_file.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationImage.h>
@@ -51,13 +51,6 @@ void check_recording(const Recording& recording)
     const double units = recording.depth_units_per_metre;
     if (frames[0].depth && !(units > 0 && std::isfinite(units)))
         throw std::invalid_argument("the depth units per metre must be above 0");
-}
-
-void refuse_existing(const fs::path& path)
-{
-    if (fs::exists(fs::symlink_status(path)))
-        throw std::runtime_error(path.string() +
-                                 " exists already; remove it or choose another output");
 }
 
 /** `NAME.rawlog` with another ending. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot_path_file.h"
+#include "fild/rawlog/robot_path_file.h"
 
 #include "fild/core/parse_number.h"
 #include "text_lines.h"

@@ -2,9 +2,9 @@
 // Sturm et al., "A benchmark for the evaluation of RGB-D SLAM systems" (IROS 2012).
 #include "fild/core/parse_number.h"
 #include "fild/rawlog/image_layouts.h"
+#include "fild/rawlog/robot_path_file.h"
 #include "folder_entries.h"
 #include "image_pairs.h"
-#include "robot_path_file.h"
 #include "text_lines.h"
 
 #include <algorithm>

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recording_files.h"
 
-#include <mrpt/poses/CPose3D.h>
-#include <mrpt/poses/CPose3DQuat.h>
 #include <opencv2/imgcodecs.hpp>
 
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
@@ -18,32 +14,6 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr int kJpegQuality = 95;
-
-void refuse_existing(const fs::path& path)
-{
-    if (fs::exists(fs::symlink_status(path)))
-        throw std::runtime_error(path.string() +
-                                 " exists already; remove it or choose another output");
-}
-
-std::string tum_line(double timestamp, const mrpt::math::TPose3D& pose)
-{
-    const mrpt::poses::CPose3DQuat q{mrpt::poses::CPose3D(pose)};
-    const double sign = q.quat().r() < 0 ? -1 : 1;  // of the two that mean the same rotation
-    std::array<char, 512> line{};
-    std::snprintf(line.data(),
-                  line.size(),
-                  "%.6f %.6f %.6f %.6f %.9f %.9f %.9f %.9f\n",
-                  timestamp,
-                  pose.x,
-                  pose.y,
-                  pose.z,
-                  sign * q.quat().x(),
-                  sign * q.quat().y(),
-                  sign * q.quat().z(),
-                  sign * q.quat().r());
-    return line.data();
-}
 }  // namespace
 
 /** Where everything goes. */
@@ -91,11 +61,6 @@ RecordingFiles::~RecordingFiles()
 {
     std::error_code ignored;  // nothing can be done about a file that will not go
     for (const auto& path : to_remove_) fs::remove(path, ignored);
-}
-
-void RecordingFiles::add_pose(double timestamp, const mrpt::math::TPose3D& map_from_robot)
-{
-    poses_.stream() << tum_line(timestamp, map_from_robot);
 }
 
 mrpt::img::CImage RecordingFiles::add_image(const std::string& name, const cv::Mat& image) const

@@ -6,7 +6,6 @@
 #include "fild/rawlog/whole_folder.h"
 
 #include <mrpt/img/CImage.h>
-#include <mrpt/math/TPose3D.h>
 #include <opencv2/core/mat.hpp>
 
 #include <filesystem>
@@ -29,10 +28,8 @@ class RecordingFiles
     ~RecordingFiles();
 
     RawlogWriter& rawlog() { return rawlog_; }
+    std::ostream& poses() { return poses_.stream(); }
     std::ostream& loops() { return loops_.stream(); }
-
-    /** Adds a line to the true trajectory. */
-    void add_pose(double timestamp, const mrpt::math::TPose3D& map_from_robot);
 
     /** Takes an image in. \param name  its file in the folder of images, ending in ".jpg". \return
      *  what is to stand in the rawlog: a reference to the file, or the pixels (shared).

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/synthetic/synthetic_recording.h"
 
+#include "fild/rawlog/robot_path_file.h"
 #include "fild/synthetic/odometry.h"
 #include "observations.h"
 #include "recording_files.h"
 
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3D.h>
+#include <mrpt/poses/CPose3DQuat.h>
 
 #include <array>
 #include <cstdio>
@@ -50,6 +52,26 @@ std::string image_name(std::size_t frame, std::size_t camera, std::size_t camera
     return name.data();
 }
 
+std::vector<StampedPose> true_path(const std::vector<RoutePose>& route)
+{
+    std::vector<StampedPose> path;
+    for (const auto& pose : route)
+    {
+        const auto& p = pose.map_from_robot;
+        const auto q = mrpt::poses::CPose3DQuat(CPose3D(p)).quat();
+        const double sign = q.r() < 0 ? -1 : 1;  // of the two that mean the same rotation
+        path.push_back({kRecordingStart + pose.seconds,
+                        p.x,
+                        p.y,
+                        p.z,
+                        sign * q.x(),
+                        sign * q.y(),
+                        sign * q.z(),
+                        sign * q.r()});
+    }
+    return path;
+}
+
 /** A recording in the making: one frame after the other. */
 class Recorder
 {
@@ -60,7 +82,7 @@ class Recorder
           route_(plan_route(options_.route, grid, seed_of(options_))),
           odometry_(measured_odometry(options_, route_)),
           files_(request.rawlog_path, request.embed),
-          truth_(options_.truth, camera_of(options_.sensors))
+          loops_(options_.truth, camera_of(options_.sensors))
     {
     }
 
@@ -68,7 +90,7 @@ class Recorder
     SyntheticSummary finish();
 
     std::size_t frames() const { return route_.size(); }
-    std::size_t loops() const { return truth_.pairs().size(); }
+    std::size_t loops() const { return loops_.pairs().size(); }
 
  private:
     struct Seen
@@ -85,7 +107,7 @@ class Recorder
     std::vector<RoutePose> route_;
     std::vector<TPose3D> odometry_;  ///< start_from_robot of each frame
     RecordingFiles files_;
-    LoopTruth truth_;
+    OverlapLoops loops_;
 };
 
 void Recorder::record(std::size_t frame)
@@ -93,10 +115,9 @@ void Recorder::record(std::size_t frame)
     const auto& pose = route_[frame];
     const auto seen = look(frame);
     write(frame, seen);
-    files_.add_pose(kRecordingStart + pose.seconds, pose.map_from_robot);
     const CPose3D robot_from_camera(robot_from_cameras(options_.sensors).front());
     const auto map_from_camera = CPose3D(pose.map_from_robot) + robot_from_camera;
-    truth_.add(pose.seconds, map_from_camera.asTPose(), seen.depth);
+    loops_.add(pose.seconds, map_from_camera.asTPose(), seen.depth);
 }
 
 Recorder::Seen Recorder::look(std::size_t frame) const
@@ -161,13 +182,14 @@ mrpt::obs::CObservation::Ptr Recorder::odometry_observation(std::size_t frame) c
 
 SyntheticSummary Recorder::finish()
 {
-    write_loops(files_.loops(), options_.truth, truth_.pairs());
+    write_robot_path(files_.poses(), true_path(route_));
+    write_loops(files_.loops(), options_.truth, loops_.pairs());
     SyntheticSummary summary;
     summary.paths = files_.commit();
     summary.frames = route_.size();
-    summary.loops = truth_.pairs().size();
+    summary.loops = loops_.pairs().size();
     std::set<FrameId> queries;
-    for (const auto& pair : truth_.pairs()) queries.insert(pair.query);
+    for (const auto& pair : loops_.pairs()) queries.insert(pair.query);
     summary.queries_with_loop = queries.size();
     summary.metres = driven_metres(route_);
     return summary;

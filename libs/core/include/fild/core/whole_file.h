@@ -32,4 +32,8 @@ class WholeFile
     bool committed_ = false;
 };
 
+/** Before a file or folder is made that must not replace anything.
+ *  \throw std::runtime_error when there is something of that name, a dangling link included. */
+void refuse_existing(const std::string& path);
+
 }  // namespace fild

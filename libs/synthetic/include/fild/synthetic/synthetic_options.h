@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fild/synthetic/lap_conditions.h"
-#include "fild/synthetic/loop_truth.h"
+#include "fild/synthetic/overlap_loops.h"
 #include "fild/synthetic/route.h"
 #include "fild/synthetic/sensors.h"
 #include "fild/synthetic/town_options.h"

@@ -45,11 +45,11 @@ struct SyntheticSummary
  *
  *  Beside `NAME.rawlog` come, all or none of them: `NAME_Images` with a JPEG for each image (unless
  *  embedded); `NAME.gt.tum` with the true pose of the robot for each frame: "timestamp x y z qx qy
- *  qz qw"; and `NAME.loops.txt`, see LoopTruth. Nothing appears under its name before all is done.
- *  Holds one frame and the points of LoopTruth in memory. Deterministic: the same options, grid and
- *  drawing give the same bytes.
- *  \throw std::invalid_argument on bad options, or a path that does not end in ".rawlog".
- *  \throw std::runtime_error naming the file: one of them exists already; disk full. */
+ *  qz qw"; and `NAME.loops.txt`, see OverlapLoops. Nothing appears under its name before all is
+ * done. Holds one frame and the points of OverlapLoops in memory. Deterministic: the same options,
+ * grid and drawing give the same bytes. \throw std::invalid_argument on bad options, or a path that
+ * does not end in ".rawlog". \throw std::runtime_error naming the file: one of them exists already;
+ * disk full. */
 SyntheticSummary write_synthetic_recording(const SyntheticRequest& request,
                                            const StreetGrid& grid,
                                            const DrawView& draw,

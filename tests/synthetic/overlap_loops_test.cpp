@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fild/synthetic/loop_truth.h"
+#include "fild/synthetic/overlap_loops.h"
 
 #include "flat_scene.h"
 #include "message_of.h"
@@ -11,7 +11,7 @@ namespace
 using fild::CameraModel;
 using fild::FrameId;
 using fild::LoopPair;
-using fild::LoopTruth;
+using fild::OverlapLoops;
 using fild::TTruthOptions;
 using fild::testing::draw_panels;
 using fild::testing::Panel;
@@ -62,7 +62,7 @@ std::vector<LoopPair> loops(const TTruthOptions& options,
                             const std::vector<Panel>& panels,
                             const std::vector<TPose3D>& poses)
 {
-    LoopTruth truth(options, camera());
+    OverlapLoops truth(options, camera());
     double seconds = 0;
     for (const auto& pose : poses)
     {
@@ -79,12 +79,12 @@ double overlap(const std::vector<Panel>& panels, const TPose3D& first, const TPo
     return pairs.empty() ? 0 : pairs.front().overlap;
 }
 
-TEST(LoopTruth, TheSamePoseSeesAll)
+TEST(OverlapLoops, TheSamePoseSeesAll)
 {
     EXPECT_DOUBLE_EQ(overlap({filling_wall()}, at(0, 0), at(0, 0)), 1);
 }
 
-TEST(LoopTruth, SeesTheShareOfAWallThatIsStillInTheImage)
+TEST(OverlapLoops, SeesTheShareOfAWallThatIsStillInTheImage)
 {
     // 20 m of wall are seen from 10 m; a camera 5 m to the left sees 15 m of them still.
     const Panel wide = wide_wall(10);
@@ -96,7 +96,7 @@ TEST(LoopTruth, SeesTheShareOfAWallThatIsStillInTheImage)
     EXPECT_NEAR(overlap({wide}, at(2, 0), at(0, 0)), 1, 0.001);
 }
 
-TEST(LoopTruth, SeesNothingThroughAnOccluder)
+TEST(OverlapLoops, SeesNothingThroughAnOccluder)
 {
     // Seen from (0, 0) only the wall; the board hides half of it from (0, 4), which it stands
     // before: y > 4 of the wall, as seen from there, and beyond the first camera's image.
@@ -114,14 +114,14 @@ TEST(LoopTruth, SeesNothingThroughAnOccluder)
     EXPECT_NEAR(with, wall_seen / 20 + board_share, 0.04);
 }
 
-TEST(LoopTruth, AWallBetweenTheCamerasHidesAll)
+TEST(OverlapLoops, AWallBetweenTheCamerasHidesAll)
 {
     const Panel far_wall = wide_wall(30);
     const Panel near_wall = wide_wall(2);
     EXPECT_EQ(overlap({far_wall, near_wall}, at(3, 0), at(0, 0)), 0);
 }
 
-TEST(LoopTruth, DoesNotCountTheSky)
+TEST(OverlapLoops, DoesNotCountTheSky)
 {
     // The wall fills a quarter of the first view; of that all is seen.
     Panel small = filling_wall();
@@ -131,19 +131,19 @@ TEST(LoopTruth, DoesNotCountTheSky)
     EXPECT_NEAR(overlap({small}, at(0, 0), at(-3, 0)), 1, 0.001);
 }
 
-TEST(LoopTruth, NothingButSkyIsNoLoop)
+TEST(OverlapLoops, NothingButSkyIsNoLoop)
 {
     EXPECT_TRUE(loops(lenient(), {}, {at(0, 0), at(0, 0)}).empty());
 }
 
-TEST(LoopTruth, SeesGroundAtAFlatAngle)
+TEST(OverlapLoops, SeesGroundAtAFlatAngle)
 {
     const Panel ground{{0, 0, 3.4}, {500, 0, 0}, {0, 500, 0}};
     EXPECT_GT(overlap({ground}, at(0, 0), at(-1, 0)), 0.97);
     EXPECT_GT(overlap({ground}, at(0, 0), at(-1, 0.7, 1)), 0.97);
 }
 
-TEST(LoopTruth, TheOppositeDirectionIsNoLoop)
+TEST(OverlapLoops, TheOppositeDirectionIsNoLoop)
 {
     const std::vector<Panel> panels{filling_wall(10), filling_wall(-10)};
     EXPECT_EQ(overlap(panels, at(0, 0), at(0, 0, 180)), 0);
@@ -152,7 +152,7 @@ TEST(LoopTruth, TheOppositeDirectionIsNoLoop)
     EXPECT_TRUE(loops(options, panels, {at(0, 0), at(0, 0, 180)}).empty());
 }
 
-TEST(LoopTruth, KeepsToItsLimits)
+TEST(OverlapLoops, KeepsToItsLimits)
 {
     const Panel wide = wide_wall(40);
     EXPECT_GT(overlap({wide}, at(0, 0), at(0, 9.9)), 0);
@@ -169,7 +169,7 @@ TEST(LoopTruth, KeepsToItsLimits)
     EXPECT_TRUE(loops(options, {wide}, {at(0, 0), at(10, 0)}).empty());
 }
 
-TEST(LoopTruth, FindsAllPairsInOrder)
+TEST(OverlapLoops, FindsAllPairsInOrder)
 {
     const auto pairs = loops(lenient(), {filling_wall()}, {at(0, 0), at(0, 1), at(0, 0), at(0, 2)});
     std::ostringstream found;
@@ -178,22 +178,22 @@ TEST(LoopTruth, FindsAllPairsInOrder)
     EXPECT_EQ(found.str(), "1-0 2-0 2-1 3-0 3-1 3-2 ");
 }
 
-TEST(LoopTruth, RefusesDepthThatIsNotTheCameras)
+TEST(OverlapLoops, RefusesDepthThatIsNotTheCameras)
 {
-    LoopTruth truth(lenient(), camera());
+    OverlapLoops truth(lenient(), camera());
     EXPECT_THROW(truth.add(0, at(0, 0), cv::Mat(160, 159, CV_32FC1)), std::invalid_argument);
     EXPECT_THROW(truth.add(0, at(0, 0), cv::Mat(160, 160, CV_16UC1)), std::invalid_argument);
     EXPECT_THROW(truth.add(0, at(0, 0), cv::Mat()), std::invalid_argument);
 }
 
-TEST(LoopTruth, RefusesBadOptions)
+TEST(OverlapLoops, RefusesBadOptions)
 {
     auto options = lenient();
     options.overlap = 0;
-    EXPECT_THROW(LoopTruth(options, camera()), std::invalid_argument);
+    EXPECT_THROW(OverlapLoops(options, camera()), std::invalid_argument);
     auto lens = camera();
     lens.lens = fild::LensModel::plumb_bob;
-    EXPECT_THROW(LoopTruth(lenient(), lens), std::invalid_argument);
+    EXPECT_THROW(OverlapLoops(lenient(), lens), std::invalid_argument);
 }
 
 TEST(WriteLoops, WritesAHeaderAndALineAPair)

@@ -42,20 +42,19 @@ struct LoopPair
  *  is seen there when it falls into the image and the query's depth at that place agrees, within
  *  3 % and 0.1 m; so what stands before it hides it. Pixels without depth (the sky) do not count.
  *  Keeps some 1,000 points of each frame. Deterministic. Not thread-safe: one caller at a time. */
-class LoopTruth
+class OverlapLoops
 {
  public:
     /** \param camera  of all frames, a pinhole. \throw std::invalid_argument on bad options. */
-    LoopTruth(const TTruthOptions& options, const CameraModel& camera);
-    LoopTruth(const LoopTruth&) = delete;
-    LoopTruth& operator=(const LoopTruth&) = delete;
-    ~LoopTruth();
+    OverlapLoops(const TTruthOptions& options, const CameraModel& camera);
+    OverlapLoops(const OverlapLoops&) = delete;
+    OverlapLoops& operator=(const OverlapLoops&) = delete;
+    ~OverlapLoops();
 
-    /** Takes the next frame and finds its loops with all before. Cost: the number of earlier frames,
-     *  and a projection of the points of those near.
-     *  \param map_from_camera  x right, y down, z forward.
-     *  \param depth  float, metres along the optical axis, of the camera's size; 0: none.
-     *  \throw std::invalid_argument when depth is of another size or kind. */
+    /** Takes the next frame and finds its loops with all before. Cost: the number of earlier
+     * frames, and a projection of the points of those near. \param map_from_camera  x right, y
+     * down, z forward. \param depth  float, metres along the optical axis, of the camera's size; 0:
+     * none. \throw std::invalid_argument when depth is of another size or kind. */
     void add(double seconds, const mrpt::math::TPose3D& map_from_camera, const cv::Mat& depth);
 
     /** All loops up to now, by query, then candidate. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fild/synthetic/loop_truth.h"
+#include "fild/synthetic/overlap_loops.h"
 
 #include <mrpt/poses/CPose3D.h>
 #include <opencv2/core.hpp>
@@ -83,7 +83,7 @@ cv::Point3d axis_of(const CPose3D& map_from_camera)
 }
 }  // namespace
 
-struct LoopTruth::State
+struct OverlapLoops::State
 {
     bool is_near(const SeenFrame& query, const SeenFrame& candidate) const;
     double overlap(const SeenFrame& query,
@@ -96,7 +96,7 @@ struct LoopTruth::State
     std::vector<LoopPair> pairs;
 };
 
-bool LoopTruth::State::is_near(const SeenFrame& query, const SeenFrame& candidate) const
+bool OverlapLoops::State::is_near(const SeenFrame& query, const SeenFrame& candidate) const
 {
     const auto& a = query.map_from_camera;
     const auto& b = candidate.map_from_camera;
@@ -105,9 +105,9 @@ bool LoopTruth::State::is_near(const SeenFrame& query, const SeenFrame& candidat
            axis_of(a).dot(axis_of(b)) >= std::cos(options.max_angle_deg * kRadPerDeg);
 }
 
-double LoopTruth::State::overlap(const SeenFrame& query,
-                                 const cv::Mat& query_depth,
-                                 const SeenFrame& candidate) const
+double OverlapLoops::State::overlap(const SeenFrame& query,
+                                    const cv::Mat& query_depth,
+                                    const SeenFrame& candidate) const
 {
     if (candidate.points.empty()) return 0;
     const auto query_from_candidate = candidate.map_from_camera - query.map_from_camera;
@@ -116,33 +116,32 @@ double LoopTruth::State::overlap(const SeenFrame& query,
         candidate.points.end(),
         [&](const cv::Point3f& p)
         {
-            const auto point = query_from_candidate.composePoint(
-                mrpt::math::TPoint3D(static_cast<double>(p.x), static_cast<double>(p.y),
-                                     static_cast<double>(p.z)));
+            const auto point = query_from_candidate.composePoint(mrpt::math::TPoint3D(
+                static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)));
             return sees(camera, query_depth, {point.x, point.y, point.z});
         });
     return static_cast<double>(seen) / static_cast<double>(candidate.points.size());
 }
 
-LoopTruth::LoopTruth(const TTruthOptions& options, const CameraModel& camera)
+OverlapLoops::OverlapLoops(const TTruthOptions& options, const CameraModel& camera)
     : state_(std::make_unique<State>())
 {
     options.check();
     if (camera.lens != LensModel::none || camera.width < 2 || camera.height < 2)
-        throw std::invalid_argument("LoopTruth: the camera is no pinhole of 2x2 pixels or more");
+        throw std::invalid_argument("OverlapLoops: the camera is no pinhole of 2x2 pixels or more");
     state_->options = options;
     state_->camera = camera;
 }
 
-LoopTruth::~LoopTruth() = default;
+OverlapLoops::~OverlapLoops() = default;
 
-void LoopTruth::add(double seconds,
-                    const mrpt::math::TPose3D& map_from_camera,
-                    const cv::Mat& depth)
+void OverlapLoops::add(double seconds,
+                       const mrpt::math::TPose3D& map_from_camera,
+                       const cv::Mat& depth)
 {
     auto& [options, camera, frames, pairs] = *state_;
     if (depth.type() != CV_32FC1 || depth.cols != camera.width || depth.rows != camera.height)
-        throw std::invalid_argument("LoopTruth::add: depth is not float of the camera's size");
+        throw std::invalid_argument("OverlapLoops::add: depth is not float of the camera's size");
     SeenFrame query{seconds, CPose3D(map_from_camera), grid_points(camera, depth)};
     const FrameId query_id{frames.size()};
     for (std::size_t i = 0; i < frames.size(); ++i)
@@ -154,7 +153,7 @@ void LoopTruth::add(double seconds,
     frames.push_back(std::move(query));
 }
 
-const std::vector<LoopPair>& LoopTruth::pairs() const
+const std::vector<LoopPair>& OverlapLoops::pairs() const
 {
     return state_->pairs;
 }
