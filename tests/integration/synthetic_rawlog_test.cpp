@@ -183,9 +183,9 @@ void expect_the_road_at_the_robots_feet(const TemporaryFolder& folder)
         const auto& camera = scan.cameraParams;
         const auto map_from_camera =
             poses[frame].map_from_robot + scan.sensorPose + scan.relativePoseIntensityWRTDepth;
-        for (int u = 40; u < 280; u += 20)
+        for (unsigned u = 40; u < 280; u += 20)
         {
-            const int v = 230;
+            const unsigned v = 230;
             const double z = 0.001 * scan.rangeImage(v, u);
             const auto point = map_from_camera.composePoint(
                 {z * (u - camera.cx()) / camera.fx(), z * (v - camera.cy()) / camera.fy(), z});

@@ -87,7 +87,7 @@ TEST(Route, DrivesAtItsSpeedAndSlowerInCorners)
 
 TEST(Route, HasNoJumpsOfPositionOrHeading)
 {
-    for (const std::uint64_t seed : {1, 2, 3})
+    for (const std::uint64_t seed : {1U, 2U, 3U})
     {
         const auto route = plan_route(dense_options(), {}, seed);
         for (std::size_t i = 2; i < route.size(); ++i)
@@ -111,7 +111,7 @@ TEST(Route, StaysInTheRightHandLane)
     const StreetGrid grid;
     TRouteOptions options;
     options.lane_offset_m = 0.3;
-    for (const std::uint64_t seed : {1, 2, 3})
+    for (const std::uint64_t seed : {1U, 2U, 3U})
         for (const auto& pose : plan_route(options, grid, seed))
         {
             const auto pitch = grid.crossing(1, 1);
@@ -173,7 +173,7 @@ TEST(Route, DeviatesDifferentlyInEachLap)
 
 TEST(Route, DrivesOneStretchOnceAndFarFromAllElse)
 {
-    for (const std::uint64_t seed : {1, 2, 3})
+    for (const std::uint64_t seed : {1U, 2U, 3U})
     {
         const auto route = plan_route(TRouteOptions(), {}, seed);
         const auto once = part(route, Stretch::once, 1);

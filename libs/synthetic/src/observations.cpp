@@ -69,14 +69,14 @@ mrpt::obs::CObservation3DRangeScan::Ptr range_observation(const TSensorOptions& 
     observation->maxRange = static_cast<float>(options.max_range_m);
     observation->rangeUnits = 0.001F;
     observation->rangeImage_setSize(depth.rows, depth.cols);
+    cv::Mat_<std::uint16_t> millimetres(depth.rows, depth.cols, observation->rangeImage.data());
     for (int row = 0; row < depth.rows; ++row)
         for (int column = 0; column < depth.cols; ++column)
         {
             const double metres = static_cast<double>(depth.at<float>(row, column));
-            observation->rangeImage(row, column) =
-                metres <= options.max_range_m
-                    ? static_cast<std::uint16_t>(std::lround(1000 * metres))
-                    : std::uint16_t{0};
+            millimetres(row, column) = metres <= options.max_range_m
+                                           ? static_cast<std::uint16_t>(std::lround(1000 * metres))
+                                           : std::uint16_t{0};
         }
     return observation;
 }

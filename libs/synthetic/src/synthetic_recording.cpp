@@ -36,6 +36,7 @@ std::vector<TPose3D> measured_odometry(const TSyntheticOptions& options,
                                        const std::vector<RoutePose>& route)
 {
     std::vector<TPose3D> truth;
+    truth.reserve(route.size());
     for (const auto& pose : route) truth.push_back(pose.map_from_robot);
     const auto dimensions = options.sensors.odometry == OdometryKind::robot_pose
                                 ? OdometryDimensions::spatial
@@ -55,6 +56,7 @@ std::string image_name(std::size_t frame, std::size_t camera, std::size_t camera
 std::vector<StampedPose> true_path(const std::vector<RoutePose>& route)
 {
     std::vector<StampedPose> path;
+    path.reserve(route.size());
     for (const auto& pose : route)
     {
         const auto& p = pose.map_from_robot;
