@@ -4,26 +4,43 @@
 set -euo pipefail
 source "$(dirname "$(realpath "$0")")/run_dataset.sh"
 
-usage="Usage: demo.sh RAWLOG | IMAGE_FOLDER [OUTPUT_FOLDER]
+usage="Usage: demo.sh [RAWLOG | IMAGE_FOLDER [OUTPUT_FOLDER]]
 Installs the Debian packages (root or sudo), builds, gets the network's model and finds the loop
 closures of a rawlog, or of a folder of images, taken by name at DEMO_RATE (1) images a second.
+Without an argument it first draws a drive through a synthetic town, and scores the result against
+the loops that are truly there; DEMO_PRESET is the size of the drive, tiny, demo or large (demo).
 Results go to OUTPUT_FOLDER (demo-results). DEMO_CONFIG names another .ini than config-ini/default.ini.
 $rerun_help"
 
+# drive_through_town: makes $output/town.rawlog and what is beside it anew, and sets rawlog.
+drive_through_town() {
+  rawlog=$output/town.rawlog
+  rm -rf "$rawlog" "$output"/town{_Images,.gt.tum,.loops.txt,.png}
+  run_app synthetic-rawlog --preset "${DEMO_PRESET:-demo}" --output "$rawlog" \
+    --birds-eye "$output/town.png"
+}
+
 help_if_asked "$@"
-[ $# -ge 1 ] || wrong_usage "name a rawlog or a folder of images"
-[ -e "$1" ] || fail "$1 does not exist"
-input=$(realpath "$1")
+[ $# -le 2 ] || wrong_usage "too many arguments: '$3'"
+input=${1:-}
+[ -z "$input" ] || [ -e "$input" ] || fail "$input does not exist"
+[ -z "$input" ] || input=$(realpath "$input")
 output=$(realpath -m "${2:-demo-results}")
 DATASET_CONFIG=${DEMO_CONFIG:-}
 choose_config default.ini
 stop_if_missing
 
 prepare_apps
+mkdir -p "$output"
 rawlog=$input
-if [ -d "$input" ]; then
-  mkdir -p "$output"
+if [ -z "$input" ]; then
+  drive_through_town
+elif [ -d "$input" ]; then
   convert images --images "$input" --rate "${DEMO_RATE:-1}"
 fi
 find_loops
+if [ -z "$input" ]; then
+  for protocol in exact window:10; do score "$output/town.loops.txt" "$protocol"; done
+fi
 say_where_results_are
+[ -n "$input" ] || echo "  town.png      the town and the route from the air"

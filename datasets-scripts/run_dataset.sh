@@ -95,7 +95,7 @@ prepare_apps() {
   if [ -n "${FILD_APPS:-}" ]; then
     apps=$(realpath -m "$FILD_APPS")
     local app
-    for app in images-to-rawlog rawlog-loop-closure loop-closure-eval; do
+    for app in images-to-rawlog synthetic-rawlog rawlog-loop-closure loop-closure-eval; do
       [ -x "$(app_path "$app")" ] || fail "FILD_APPS=$FILD_APPS holds no $app"
     done
     return

@@ -2,11 +2,16 @@
 // synthetic-rawlog: drives through a synthetic town and writes what the sensors see, and the truth.
 #include "app_main.h"
 #include "fild/core/ini_file.h"
+#include "fild/core/whole_file.h"
+#include "fild/synthetic/birds_eye.h"
 #include "fild/synthetic/synthetic_recording.h"
 #include "fild/synthetic/town.h"
 #include "interruption.h"
 #include "progress_line.h"
 
+#include <opencv2/imgcodecs.hpp>
+
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -21,6 +26,7 @@ using Number = TCLAP::ValueArg<int>;
 struct AppOptions
 {
     fild::SyntheticRequest request;
+    std::string birds_eye_path;  ///< empty: no such picture
     bool quiet = false;
 };
 
@@ -53,6 +59,8 @@ std::optional<AppOptions> parse(int argc, char** argv)
         "", "embed", "Pixels in the rawlog, not in files in FILE_Images/ beside it", command);
     TCLAP::MultiArg<std::string> overrides(
         "s", "set", "Replaces a value of the configuration", false, "section.key=value", command);
+    Text birds_eye(
+        "", "birds-eye", "Picture of town and route from the air", false, "", "FILE.png", command);
     Text config("c", "config", "Changes to the preset", false, "", "FILE.ini", command);
     Number seed("", "seed", "Another town, route and noise: [town] seed", false, 1, "N", command);
     Number frames("n", "frames", "Stop after so many frames", false, 1, "N", command);
@@ -68,6 +76,7 @@ std::optional<AppOptions> parse(int argc, char** argv)
 
     AppOptions options;
     options.quiet = quiet.getValue();
+    options.birds_eye_path = birds_eye.getValue();
     options.request.rawlog_path = output.getValue();
     options.request.embed = embed.getValue();
     options.request.options = fild::options_of(preset_named(preset.getValue()));
@@ -80,6 +89,20 @@ std::optional<AppOptions> parse(int argc, char** argv)
     fild::apply_overrides(ini, replaced);
     fild::load_sections(ini, options.request.options.sections());
     return options;
+}
+
+void write_birds_eye(const std::string& path,
+                     const fild::TSyntheticOptions& options,
+                     fild::Town& town)
+{
+    const auto seed = static_cast<std::uint64_t>(options.town.seed);
+    const auto route = fild::plan_route(options.route, town.grid(), seed);
+    std::vector<uchar> png;
+    cv::imencode(".png", fild::draw_birds_eye(town, fild::route_lines(route), {}), png);
+    fild::WholeFile file(path);
+    file.stream().write(reinterpret_cast<const char*>(png.data()),
+                        static_cast<std::streamsize>(png.size()));
+    file.commit();
 }
 
 void run(const AppOptions& options)
@@ -100,6 +123,8 @@ void run(const AppOptions& options)
     };
     const auto made =
         write_synthetic_recording(request, request.options.town.street_grid(), draw, on_frame);
+    if (!options.birds_eye_path.empty())
+        write_birds_eye(options.birds_eye_path, request.options, *town);
     std::cout << made.paths.front() << ": " << made.frames << " frames, "
               << static_cast<long>(made.metres) << " m, " << made.queries_with_loop
               << " frames with a loop (" << made.loops << " pairs); beside it:";

@@ -10,6 +10,7 @@ void TConsistencyOptions::describe(OptionVisitor& visitor)
     visitor.integer("consecutive_frames", consecutive_frames, 1, 1000);
     visitor.real("max_candidate_step_seconds", max_candidate_step_seconds, 0, 1e6);
     visitor.integer("sure_inliers", sure_inliers, 0, 1000000);
+    visitor.real("sure_inlier_share", sure_inlier_share, 0, 1);
 }
 
 void TRuntimeOptions::describe(OptionVisitor& visitor)

@@ -151,7 +151,7 @@ void LoopDetector::check_consistency(DetectorOutcome& outcome)
         return;
     }
     const auto& place = places_.at(verdict.candidate->frame);
-    if (!consistency_.add_verified(place.timestamp, verdict.inliers))
+    if (!consistency_.add_verified(place.timestamp, verdict.inliers, verdict.keypoints))
         verdict.rejection = Rejection::not_consistent_yet;
 }
 

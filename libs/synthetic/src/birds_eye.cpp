@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fild
 {
@@ -91,37 +92,78 @@ void draw_route(cv::Mat& picture, const AirView& view, const RouteLine& route, s
     }
 }
 
-void draw_legend(cv::Mat& picture, const std::vector<RouteLine>& routes)
+void draw_legend(cv::Mat& picture, const std::vector<std::string>& names)
 {
     const auto unit = picture.cols / 800.0;
     const auto row = cvRound(16 * unit);
     const cv::Rect box(cvRound(8 * unit),
                        cvRound(8 * unit),
-                       cvRound(190 * unit),
-                       static_cast<int>(routes.size()) * row + cvRound(6 * unit));
+                       cvRound(150 * unit),
+                       static_cast<int>(names.size()) * row + cvRound(6 * unit));
     auto panel = picture(box & cv::Rect({0, 0}, picture.size()));
     panel = panel * 0.35;
-    for (std::size_t i = 0; i < routes.size(); ++i)
+    for (std::size_t i = 0; i < names.size(); ++i)
     {
         const auto y = box.y + static_cast<int>(i) * row + cvRound(11 * unit);
         const auto x = box.x + cvRound(6 * unit);
-        cv::line(picture,
-                 {x, y},
-                 {x + cvRound(20 * unit), y},
-                 route_colour(i),
-                 cvRound(3 * unit),
-                 cv::LINE_AA);
+        const auto thickness = cvRound(3 * unit);
+        cv::line(
+            picture, {x, y}, {x + cvRound(20 * unit), y}, route_colour(i), thickness, cv::LINE_AA);
         cv::putText(picture,
-                    routes[i].name,
+                    names[i],
                     {x + cvRound(26 * unit), y + cvRound(4 * unit)},
                     cv::FONT_HERSHEY_SIMPLEX,
                     0.4 * unit,
                     {245, 245, 245},
-                    cvRound(0.7 * unit),
+                    std::max(1, cvRound(0.7 * unit)),
                     cv::LINE_AA);
     }
 }
+
+std::string name_of_part(const RoutePose& pose)
+{
+    switch (pose.stretch)
+    {
+        case Stretch::once:
+            return "driven once";
+        case Stretch::opposite:
+            return "opposite direction";
+        case Stretch::link:
+            return "between";
+        case Stretch::lap:
+            break;
+    }
+    return "lap " + std::to_string(pose.lap + 1);
+}
+
+/** The names of the lines, each once, in order. */
+std::vector<std::string> names_of(const std::vector<RouteLine>& routes)
+{
+    std::vector<std::string> names;
+    for (const auto& route : routes)
+        if (std::find(names.begin(), names.end(), route.name) == names.end())
+            names.push_back(route.name);
+    return names;
+}
 }  // namespace
+
+std::vector<RouteLine> route_lines(const std::vector<RoutePose>& route)
+{
+    std::vector<RouteLine> lines;
+    for (const auto& pose : route)
+    {
+        const auto name = name_of_part(pose);
+        if (lines.empty() || lines.back().name != name)
+        {
+            RouteLine line{name, {}};
+            if (!lines.empty()) line.points.push_back(lines.back().points.back());
+            lines.push_back(std::move(line));
+        }
+        const auto& at = pose.map_from_robot;
+        lines.back().points.emplace_back(at.x, at.y, at.z);
+    }
+    return lines;
+}
 
 cv::Mat draw_birds_eye(Town& town,
                        const std::vector<RouteLine>& routes,
@@ -130,8 +172,13 @@ cv::Mat draw_birds_eye(Town& town,
 {
     const AirView view(town.grid(), width);
     auto picture = town.draw(view.camera(), view.map_from_camera(), conditions).image;
-    for (std::size_t i = 0; i < routes.size(); ++i) draw_route(picture, view, routes[i], i);
-    draw_legend(picture, routes);
+    const auto names = names_of(routes);
+    for (const auto& route : routes)
+    {
+        const auto name = std::find(names.begin(), names.end(), route.name);
+        draw_route(picture, view, route, static_cast<std::size_t>(name - names.begin()));
+    }
+    draw_legend(picture, names);
     return picture;
 }
 

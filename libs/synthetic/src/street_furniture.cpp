@@ -6,8 +6,10 @@
 #include <mrpt/opengl/COpenGLScene.h>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace fild
 {
@@ -132,28 +134,74 @@ void add_crown(TexturedMesh& mesh, const cv::Point3d& centre, double radius, Lot
 
 constexpr double kCarLength = 4.3;
 constexpr double kCarWidth = 1.72;
-constexpr double kCarHeight = 1.48;
+constexpr double kCarHeight = 1.95;  // of the tallest
 constexpr double kWheelRadius = 0.32;
 constexpr std::array<double, 2> kAxles{0.8, 3.4};
-
-/** Outline of a car from the side, from the lower rear corner over the roof to the lower front
- *  one: metres from the rear, metres over the road. */
-const std::array<cv::Point2d, 10> kOutline{cv::Point2d(0.05, 0.25),
-                                           cv::Point2d(0, 0.55),
-                                           cv::Point2d(0.05, 0.9),
-                                           cv::Point2d(0.5, 1.0),
-                                           cv::Point2d(1.1, 1.45),
-                                           cv::Point2d(2.4, 1.48),
-                                           cv::Point2d(3.2, 0.98),
-                                           cv::Point2d(4.1, 0.82),
-                                           cv::Point2d(4.3, 0.6),
-                                           cv::Point2d(4.25, 0.25)};
+constexpr int kCarModels = 32;
 constexpr int kCarScale = 60;  // pixels per metre
 constexpr int kSidePixels = static_cast<int>(kCarHeight * kCarScale) + 1;
 constexpr int kTopPixels = static_cast<int>(kCarWidth * kCarScale) + 1;
 constexpr int kPaintPixels = kSidePixels + kTopPixels;
 
-const std::vector<Colour>& car_colours()
+/** Outline of a car from the side, from the lower rear corner over the roof to the lower front
+ *  one: metres from the rear, metres over the road. */
+using CarOutline = std::array<cv::Point2d, 10>;
+constexpr std::size_t kCarParts = 9;  // bumper, boot lid, boot, rear window, roof, ...
+
+const std::array<CarOutline, 4>& car_outlines()
+{
+    static const std::array<CarOutline, 4> outlines{CarOutline{{{0.05, 0.25},
+                                                                {0, 0.55},
+                                                                {0.05, 0.9},
+                                                                {0.5, 1.0},
+                                                                {1.1, 1.45},
+                                                                {2.4, 1.48},
+                                                                {3.2, 0.98},
+                                                                {4.1, 0.82},
+                                                                {4.3, 0.6},
+                                                                {4.25, 0.25}}},  // saloon
+                                                    CarOutline{{{0.1, 0.25},
+                                                                {0.05, 0.6},
+                                                                {0.1, 0.95},
+                                                                {0.15, 1.05},
+                                                                {0.7, 1.5},
+                                                                {2.3, 1.52},
+                                                                {3.2, 1.0},
+                                                                {4.0, 0.88},
+                                                                {4.2, 0.6},
+                                                                {4.15, 0.25}}},  // hatchback
+                                                    CarOutline{{{0.05, 0.25},
+                                                                {0, 0.55},
+                                                                {0.02, 0.9},
+                                                                {0.05, 1.02},
+                                                                {0.3, 1.5},
+                                                                {2.5, 1.5},
+                                                                {3.3, 1.0},
+                                                                {4.15, 0.85},
+                                                                {4.3, 0.6},
+                                                                {4.25, 0.25}}},  // estate
+                                                    CarOutline{{{0.03, 0.28},
+                                                                {0, 0.6},
+                                                                {0, 1.0},
+                                                                {0.02, 1.15},
+                                                                {0.1, 1.9},
+                                                                {2.9, 1.92},
+                                                                {3.6, 1.15},
+                                                                {4.15, 0.98},
+                                                                {4.3, 0.65},
+                                                                {4.25, 0.28}}}};  // van
+    return outlines;
+}
+
+/** One of the cars that stand in the town; no two look the same. */
+struct CarModel
+{
+    CarOutline outline;
+    Colour colour;
+    std::uint64_t looks = 0;
+};
+
+CarModel car_model(int index)
 {
     static const std::vector<Colour> colours{{180, 60, 40},
                                              {45, 40, 160},
@@ -162,116 +210,224 @@ const std::vector<Colour>& car_colours()
                                              {225, 228, 230},
                                              {70, 100, 60},
                                              {50, 140, 190},
-                                             {120, 115, 110}};
-    return colours;
+                                             {120, 115, 110},
+                                             {130, 90, 60},
+                                             {60, 60, 90}};
+    Lot lot(static_cast<std::uint64_t>(700 + index));
+    CarModel model;
+    model.outline = car_outlines()[static_cast<std::size_t>(lot.whole(0, 3))];
+    const auto taller = lot.real(0.92, 1.0);
+    for (auto& point : model.outline)
+    {
+        point.y *= point.y > 0.8 ? taller : 1;
+        point.x += point.y > 0.8 ? lot.real(-0.08, 0.08) : 0;
+    }
+    model.colour = brighter(lot.pick(colours), lot.real(0.8, 1.15));
+    model.looks = lot.seed();
+    return model;
 }
 
-cv::Point car_pixel(const cv::Point2d& metres)
+/** Paints the side of a car, its front to the right. */
+class CarSidePainter
 {
-    return {cvRound(metres.x * kCarScale), cvRound((kCarHeight - metres.y) * kCarScale)};
+ public:
+    CarSidePainter(const cv::Mat& side, const CarModel& model)
+        : side_(side), model_(model), lot_(model.looks)
+    {
+    }
+    void paint()
+    {
+        side_ = scalar(model_.colour);
+        windows();
+        doors();
+        lower_parts();
+    }
+
+ private:
+    static cv::Point pixel(const cv::Point2d& metres)
+    {
+        return {cvRound(metres.x * kCarScale), cvRound((kCarHeight - metres.y) * kCarScale)};
+    }
+    void bar(const cv::Point2d& a, const cv::Point2d& b, const Colour& colour)
+    {
+        cv::rectangle(side_, pixel(a), pixel(b), scalar(colour), cv::FILLED);
+    }
+    void windows();
+    void doors();
+    void lower_parts();
+
+    cv::Mat side_;
+    const CarModel& model_;
+    Lot lot_;
+};
+
+void CarSidePainter::windows()
+{
+    const auto& outline = model_.outline;
+    const auto sill = std::max(outline[3].y, outline[6].y);
+    const std::vector<cv::Point> glass{pixel({outline[3].x + 0.3, sill}),
+                                       pixel(outline[4] + cv::Point2d(0.15, -0.08)),
+                                       pixel(outline[5] + cv::Point2d(-0.08, -0.08)),
+                                       pixel({outline[6].x - 0.25, sill})};
+    const auto tone = lot_.real(50, 110);
+    cv::fillConvexPoly(side_, glass, {tone, tone * 0.88, tone * 0.8}, cv::LINE_AA);
+    cv::polylines(side_, glass, true, {30, 30, 30}, lot_.whole(1, 3), cv::LINE_AA);
+    const auto pillars = lot_.whole(1, 3);
+    for (int i = 1; i <= pillars; ++i)
+    {
+        const auto x = outline[4].x + (outline[5].x - outline[4].x) * i / (pillars + 1.0) +
+                       lot_.real(-0.15, 0.15);
+        bar({x, outline[4].y}, {x + lot_.real(0.05, 0.14), sill}, model_.colour);
+    }
 }
 
-void paint_car_side(cv::Mat side, const Colour& colour)
+void CarSidePainter::doors()
 {
-    side = scalar(colour);
-    const std::vector<cv::Point> glass{car_pixel({0.75, 1.0}),
-                                       car_pixel({1.2, 1.38}),
-                                       car_pixel({2.35, 1.4}),
-                                       car_pixel({3.0, 0.98})};
-    cv::fillConvexPoly(side, glass, {95, 80, 70}, cv::LINE_AA);
-    cv::polylines(side, glass, true, {30, 30, 30}, 2, cv::LINE_AA);
-    const auto line = scalar(brighter(colour, 0.5));
-    for (const double x : {1.15, 2.0, 3.0})
-        cv::line(side, car_pixel({x, 1.0}), car_pixel({x, 0.35}), line, 1, cv::LINE_AA);
-    cv::line(side, car_pixel({1.85, 1.4}), car_pixel({1.85, 1.0}), scalar(colour), 4);
-    for (const double x : {1.3, 2.15})
-        cv::rectangle(side,
-                      car_pixel({x, 0.9}),
-                      car_pixel({x + 0.2, 0.86}),
-                      scalar(brighter(colour, 0.35)),
-                      cv::FILLED);
-    cv::line(side, car_pixel({0.1, 0.55}), car_pixel({4.2, 0.55}), line, 2);
-    cv::rectangle(side, car_pixel({0, 0.36}), car_pixel({4.3, 0.2}), {35, 35, 38}, cv::FILLED);
+    const auto line = scalar(brighter(model_.colour, lot_.real(0.4, 0.7)));
+    const auto count = lot_.whole(2, 4);
+    for (int i = 0; i < count; ++i)
+    {
+        const auto x = 1 + 2.2 * (i + lot_.real(0.1, 0.9)) / count;
+        cv::line(side_, pixel({x, 1.0}), pixel({x + lot_.real(-0.1, 0.1), 0.35}), line, 1);
+        bar({x + 0.12, 0.88}, {x + lot_.real(0.2, 0.4), 0.83}, brighter(model_.colour, 0.35));
+    }
+    const auto trim = lot_.real(0.45, 0.7);
+    if (lot_.chance(0.6))
+        bar({0.1, trim},
+            {4.2, trim - lot_.real(0.02, 0.1)},
+            brighter(model_.colour, lot_.real(0.3, 1.4)));
+    if (lot_.chance(0.4))
+        cv::putText(
+            side_,
+            lot_.pick<std::string>({"TAXI", "RADIO 7", "EXPRESS", "POST", "AQUA", "FIX IT"}),
+            pixel({lot_.real(0.9, 1.8), 0.62}),
+            cv::FONT_HERSHEY_DUPLEX,
+            lot_.real(0.5, 0.9),
+            scalar(brighter(model_.colour, lot_.chance(0.5) ? 0.3 : 2.2)),
+            1,
+            cv::LINE_AA);
+}
+
+void CarSidePainter::lower_parts()
+{
+    bar({0, lot_.real(0.3, 0.42)}, {4.3, 0}, {35, 35, 38});
     for (const double axle : kAxles)
-        cv::circle(side,
-                   car_pixel({axle, kWheelRadius}),
-                   cvRound(0.4 * kCarScale),
+        cv::circle(side_,
+                   pixel({axle, kWheelRadius}),
+                   cvRound(lot_.real(0.36, 0.43) * kCarScale),
                    {20, 20, 20},
                    cv::FILLED,
                    cv::LINE_AA);
+    bar({0, 0.85}, {lot_.real(0.1, 0.25), lot_.real(0.55, 0.75)}, {40, 35, 150});
+    bar({4.3, 0.75}, {lot_.real(4.0, 4.15), lot_.real(0.6, 0.68)}, {215, 225, 228});
 }
 
-/** What is seen of each part of the outline from behind, above and in front: glass, lamps. */
-void paint_car_top(cv::Mat top, const Colour& colour)
+/** Paints what is seen of a car from behind, above and in front: a part of the strip for each part
+ *  of the outline. */
+class CarTopPainter
 {
-    top = scalar(colour);
-    const auto step = static_cast<double>(top.cols) / (kOutline.size() - 1);
-    const auto part = [&](int index, const cv::Vec2d& along, const cv::Vec2d& across)
+ public:
+    CarTopPainter(const cv::Mat& top, const CarModel& model)
+        : top_(top), colour_(model.colour), lot_(model.looks + 1)
     {
-        return cv::Rect(
-            cv::Point(cvRound((index + along[0]) * step), cvRound(across[0] * top.rows)),
-            cv::Point(cvRound((index + along[1]) * step), cvRound(across[1] * top.rows)));
-    };
-    const auto paint = [&](const cv::Rect& place, const cv::Scalar& tone)
-    { cv::rectangle(top, place, tone, cv::FILLED); };
-    paint(part(0, {0, 1}, {0, 1}), {45, 45, 48});
-    paint(part(8, {0, 1}, {0, 1}), {45, 45, 48});
-    paint(part(0, {0.4, 0.8}, {0.35, 0.65}), {210, 225, 225});
-    paint(part(8, {0.2, 0.6}, {0.35, 0.65}), {210, 225, 225});
-    for (const double across : {0.04, 0.78})
-    {
-        paint(part(1, {0.3, 0.8}, {across, across + 0.14}), {40, 35, 170});
-        paint(part(7, {0.3, 0.9}, {across, across + 0.18}), {215, 225, 228});
     }
-    paint(part(3, {0.1, 0.9}, {0.08, 0.92}), {90, 75, 65});
-    paint(part(5, {0.1, 0.9}, {0.06, 0.94}), {100, 85, 75});
-    paint(part(6, {0.95, 1}, {0, 1}), scalar(brighter(colour, 0.5)));
-    paint(part(7, {0.2, 0.8}, {0.3, 0.7}), {50, 50, 52});
+    void paint();
+
+ private:
+    /** A piece of one part of the outline. \param along, across  shares of it. */
+    void piece(std::size_t part,
+               const cv::Vec2d& along,
+               const cv::Vec2d& across,
+               const Colour& tone)
+    {
+        const auto step = static_cast<double>(top_.cols) / kCarParts;
+        const auto first = static_cast<double>(part);
+        cv::rectangle(
+            top_,
+            cv::Rect(cv::Point(cvRound((first + along[0]) * step), cvRound(across[0] * top_.rows)),
+                     cv::Point(cvRound((first + along[1]) * step), cvRound(across[1] * top_.rows))),
+            scalar(tone),
+            cv::FILLED);
+    }
+    /** Something on both sides of the middle. */
+    void pair(
+        std::size_t part, const cv::Vec2d& along, double outer, double width, const Colour& tone)
+    {
+        piece(part, along, {outer, outer + width}, tone);
+        piece(part, along, {1 - outer - width, 1 - outer}, tone);
+    }
+
+    cv::Mat top_;
+    Colour colour_;
+    Lot lot_;
+};
+
+void CarTopPainter::paint()
+{
+    top_ = scalar(colour_);
+    const Colour bumper = lot_.chance(0.5) ? Colour(45, 45, 48) : brighter(colour_, 0.8);
+    piece(0, {0, 1}, {0, 1}, bumper);
+    piece(8, {0, 1}, {0, 1}, bumper);
+    const auto plate = lot_.real(0.3, 0.4);
+    piece(lot_.chance(0.5) ? 0U : 1U, {0.3, 0.65}, {plate, 1 - plate}, {210, 225, 225});
+    piece(8, {0.2, 0.6}, {plate, 1 - plate}, {210, 225, 225});
+    const auto lamp = lot_.real(0.08, 0.2);
+    const auto inset = lot_.real(0.02, 0.08);
+    const auto low = lot_.real(0.1, 0.45);
+    pair(1, {low, low + lot_.real(0.25, 0.5)}, inset, lamp, {40, 35, lot_.real(120, 190)});
+    pair(7, {low, 0.95}, inset, lamp * 1.2, {215, 225, 228});
+    const auto glass = brighter({95, 80, 70}, lot_.real(0.7, 1.3));
+    const auto margin = lot_.real(0.06, 0.14);
+    piece(3, {0.1, 0.9}, {margin, 1 - margin}, glass);
+    piece(5, {0.08, 0.92}, {margin, 1 - margin}, brighter(glass, 1.1));
+    piece(6, {0.95, 1}, {0, 1}, brighter(colour_, 0.5));
+    piece(7, {0.2, lot_.real(0.6, 0.9)}, {0.3, 0.7}, {50, 50, 52});
+    if (lot_.chance(0.4)) pair(4, {0.1, 0.9}, 0.12, 0.04, {50, 50, 52});  // roof rack
 }
 
-/** Side and top of a car in every colour, below each other. */
+/** Side and top of every car, below each other. */
 cv::Mat paint_cars()
 {
     const auto width = static_cast<int>(kCarLength * kCarScale);
-    const auto count = static_cast<int>(car_colours().size());
-    cv::Mat picture(count * kPaintPixels, width, CV_8UC3);
-    for (int i = 0; i < count; ++i)
+    cv::Mat picture(kCarModels * kPaintPixels, width, CV_8UC3);
+    for (int i = 0; i < kCarModels; ++i)
     {
-        const auto& colour = car_colours()[static_cast<std::size_t>(i)];
+        const auto model = car_model(i);
         const auto top = i * kPaintPixels;
-        paint_car_side(picture.rowRange(top, top + kSidePixels), colour);
-        paint_car_top(picture.rowRange(top + kSidePixels, top + kPaintPixels), colour);
+        CarSidePainter(picture.rowRange(top, top + kSidePixels), model).paint();
+        CarTopPainter(picture.rowRange(top + kSidePixels, top + kPaintPixels), model).paint();
     }
     Lot lot(71);
-    shade(picture, fractal_noise(picture.size(), 40, lot), 0.05);
+    add_stains(picture, 20 * kCarModels, 12, lot);
+    shade(picture, fractal_noise(picture.size(), 40, lot), 0.07);
     add_grain(picture, 3, lot);
     return picture;
 }
 
-void add_car_body(TexturedMesh& mesh, const PlaceFrame& frame, int colour)
+void add_car_body(TexturedMesh& mesh, const PlaceFrame& frame, int index)
 {
-    const auto all = static_cast<double>(car_colours().size()) * kPaintPixels;
-    const auto side_top = colour * kPaintPixels / all;
-    const auto strip_top = side_top + kSidePixels / all;
-    const auto strip_height = kTopPixels / all;
+    const auto outline = car_model(index).outline;
+    constexpr double kAll = 1.0 * kCarModels * kPaintPixels;
+    const auto side_top = index * kPaintPixels / kAll;
+    const auto strip_top = side_top + kSidePixels / kAll;
+    const auto strip_height = kTopPixels / kAll;
     const auto corner = [&](const cv::Point2d& point, double left)
     {
         const cv::Point2d in_picture(point.x / kCarLength,
-                                     side_top + (1 - point.y / kCarHeight) * kSidePixels / all);
+                                     side_top + (1 - point.y / kCarHeight) * kSidePixels / kAll);
         return Corner{frame.at(point.x - kCarLength / 2, left, point.y), in_picture};
     };
     const cv::Point2d middle(2, 0.6);
     const auto half = kCarWidth / 2;
-    const auto segments = kOutline.size() - 1;
-    for (std::size_t i = 0; i <= segments; ++i)
+    for (std::size_t i = 0; i <= kCarParts; ++i)
     {
-        const auto& a = kOutline[i];
-        const auto& b = kOutline[(i + 1) % kOutline.size()];
+        const auto& a = outline[i];
+        const auto& b = outline[(i + 1) % outline.size()];
         mesh.add_triangle(corner(middle, half), corner(a, half), corner(b, half));
         mesh.add_triangle(corner(middle, -half), corner(b, -half), corner(a, -half));
-        if (i == segments) break;
-        const auto left = static_cast<double>(i) / static_cast<double>(segments);
-        const auto right = static_cast<double>(i + 1) / static_cast<double>(segments);
+        if (i == kCarParts) break;
+        const auto left = static_cast<double>(i) / kCarParts;
+        const auto right = static_cast<double>(i + 1) / kCarParts;
         mesh.add_quad({corner(a, -half).at, {left, strip_top + strip_height}},
                       {corner(b, -half).at, {right, strip_top + strip_height}},
                       {corner(b, half).at, {right, strip_top}},
@@ -279,44 +435,75 @@ void add_car_body(TexturedMesh& mesh, const PlaceFrame& frame, int colour)
     }
 }
 
-cv::Mat paint_wheel()
+constexpr int kWheelKinds = 16;
+constexpr int kWheelPixels = 64;
+
+void paint_wheel(cv::Mat&& wheel, Lot& lot)
 {
-    cv::Mat wheel(64, 64, CV_8UC3, cv::Scalar(28, 28, 30));
-    cv::circle(wheel, {32, 32}, 20, {150, 152, 155}, cv::FILLED, cv::LINE_AA);
-    for (int spoke = 0; spoke < 5; ++spoke)
+    const cv::Point middle(kWheelPixels / 2, kWheelPixels / 2);
+    wheel = cv::Scalar(28, 28, 30);
+    const auto light = lot.real(90, 190);
+    const auto rim = lot.whole(16, 23);
+    cv::circle(wheel, middle, rim, cv::Scalar::all(light), cv::FILLED, cv::LINE_AA);
+    const auto spokes = lot.whole(3, 9);
+    const auto turn = lot.real(0, 2 * CV_PI);
+    for (int spoke = 0; spoke < spokes; ++spoke)
     {
-        const auto angle = 2 * CV_PI * spoke / 5;
+        const auto angle = turn + 2 * CV_PI * spoke / spokes;
+        const cv::Point out(cvRound(rim * std::cos(angle)), cvRound(rim * std::sin(angle)));
         cv::line(wheel,
-                 {32, 32},
-                 {cvRound(32 + 18 * std::cos(angle)), cvRound(32 + 18 * std::sin(angle))},
-                 {50, 50, 52},
-                 4,
+                 middle,
+                 middle + out,
+                 cv::Scalar::all(light * 0.3),
+                 lot.whole(2, 5),
                  cv::LINE_AA);
     }
-    return wheel;
+    cv::circle(wheel, middle, lot.whole(3, 8), cv::Scalar::all(light * 0.8), cv::FILLED);
 }
 
-void add_wheels(TexturedMesh& mesh, const PlaceFrame& frame)
+cv::Mat paint_wheels()
+{
+    Lot lot(72);
+    cv::Mat picture(kWheelKinds * kWheelPixels, kWheelPixels, CV_8UC3);
+    for (int kind = 0; kind < kWheelKinds; ++kind)
+        paint_wheel(picture.rowRange(kind * kWheelPixels, (kind + 1) * kWheelPixels), lot);
+    add_grain(picture, 8, lot);
+    return picture;
+}
+
+/** One wheel; `turned` by some angle, rad. */
+void add_wheel(
+    TexturedMesh& mesh, const PlaceFrame& frame, const cv::Point2d& axle, int kind, double turned)
 {
     constexpr int kSides = 14;
+    const auto side = axle.y > 0 ? 1.0 : -1.0;
+    const auto in_picture = [&](double angle, double radius)
+    {
+        return cv::Point2d(0.5 + 0.5 * radius * std::cos(angle + turned),
+                           (kind + 0.5 + 0.49 * radius * std::sin(angle + turned)) / kWheelKinds);
+    };
+    const auto rim = [&](int index)
+    {
+        const auto angle = side * 2 * CV_PI * index / kSides;
+        return Corner{frame.at(axle.x + kWheelRadius * std::cos(angle),
+                               axle.y,
+                               kWheelRadius * (1 - std::sin(angle))),
+                      in_picture(angle, 1)};
+    };
+    const Corner hub{frame.at(axle.x, axle.y, kWheelRadius), in_picture(0, 0)};
+    for (int i = 0; i < kSides; ++i) mesh.add_triangle(hub, rim(i), rim(i + 1));
+}
+
+void add_wheels(TexturedMesh& mesh, const PlaceFrame& frame, Lot& lot)
+{
+    const auto kind = lot.whole(0, kWheelKinds - 1);
     for (const double axle : kAxles)
         for (const double side : {-1.0, 1.0})
-            for (int i = 0; i < kSides; ++i)
-            {
-                const auto rim = [&](int index)
-                {
-                    const auto angle = side * 2 * CV_PI * index / kSides;
-                    const cv::Point2d unit(std::cos(angle), std::sin(angle));
-                    return Corner{frame.at(axle - kCarLength / 2 + kWheelRadius * unit.x,
-                                           side * (kCarWidth / 2 + 0.02),
-                                           kWheelRadius * (1 - unit.y)),
-                                  {0.5 + 0.5 * unit.x, 0.5 + 0.5 * unit.y}};
-                };
-                const Corner hub{
-                    frame.at(axle - kCarLength / 2, side * (kCarWidth / 2 + 0.02), kWheelRadius),
-                    {0.5, 0.5}};
-                mesh.add_triangle(hub, rim(i), rim(i + 1));
-            }
+            add_wheel(mesh,
+                      frame,
+                      {axle - kCarLength / 2, side * (kCarWidth / 2 + 0.02)},
+                      kind,
+                      lot.real(0, 2 * CV_PI));
 }
 }  // namespace
 
@@ -366,11 +553,11 @@ void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& cars)
     {
         Lot lot(car.seed);
         const PlaceFrame frame(car, 0);
-        add_car_body(bodies, frame, lot.whole(0, static_cast<int>(car_colours().size()) - 1));
-        add_wheels(wheels, frame);
+        add_car_body(bodies, frame, lot.whole(0, kCarModels - 1));
+        add_wheels(wheels, frame, lot);
     }
     scene.insert(bodies.object(paint_cars()));
-    scene.insert(wheels.object(paint_wheel()));
+    scene.insert(wheels.object(paint_wheels()));
 }
 
 }  // namespace fild
