@@ -412,4 +412,16 @@ TEST(SyntheticOptions, PresetsHaveTheirSize)
     EXPECT_GT(frames_of(fild::Preset::large), 2000U);
 }
 
+TEST(SyntheticOptions, StandInTheReadme)
+{
+    const auto readme = read_text(FILD_SOURCE_DIR "/apps/synthetic-rawlog/README.md");
+    fild::TSyntheticOptions options;
+    for (const auto& [section, of_section] : options.sections())
+    {
+        EXPECT_THAT(readme, HasSubstr("| **[" + section + "]** |"));
+        for (const auto& [key, value] : of_section->values())
+            EXPECT_THAT(readme, HasSubstr("`" + key + "`")) << "[" << section << "]";
+    }
+}
+
 }  // namespace
