@@ -28,6 +28,15 @@ TEST(LoopLabels, GroupsPairsByQuery)
     EXPECT_FALSE(labels.transposed);
 }
 
+TEST(LoopLabels, KeepsDoubtfulPairsOfAListApart)
+{
+    const auto labels = read_list("3 0 0\n4 0\n4 1 0\n");
+    EXPECT_THAT(labels.earlier_frames, ElementsAre(Pair(4, ElementsAre(0))));
+    EXPECT_THAT(labels.doubtful, ElementsAre(Pair(3, 0), Pair(4, 1)));
+    EXPECT_THAT(message_of<std::runtime_error>([] { read_list("4 0 2\n"); }),
+                HasSubstr("QUERY CANDIDATE"));
+}
+
 TEST(LoopLabels, SwapsWhatIsStoredTransposed)
 {
     const auto labels = fild::to_loop_labels({{0, 4}, {1, 5}, {3, 2}}, 6);

@@ -31,6 +31,17 @@ TEST(LabelTruth, WindowTakesNeighbouringColumns)
     EXPECT_EQ(truth.judge(FrameId{19}, FrameId{5}), Judgement::wrong);  // columns, not rows
 }
 
+TEST(LabelTruth, ADoubtfulPairIsNeitherRightNorWrong)
+{
+    auto labels = fild::to_loop_labels({{20, 5}}, 30);
+    labels.doubtful = {{20, 9}, {21, 5}};
+    const fild::LabelTruth truth(labels, 2);
+    EXPECT_EQ(truth.judge(FrameId{20}, FrameId{9}), Judgement::neither);
+    EXPECT_EQ(truth.judge(FrameId{21}, FrameId{5}), Judgement::neither);
+    EXPECT_EQ(truth.judge(FrameId{20}, FrameId{10}), Judgement::wrong);
+    EXPECT_FALSE(truth.is_loop_query(FrameId{21}));
+}
+
 TEST(LabelTruth, WindowBeginsAtFrameZero)
 {
     const fild::LabelTruth truth(fild::to_loop_labels({{20, 1}}, 30), 40);

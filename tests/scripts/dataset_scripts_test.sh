@@ -168,8 +168,20 @@ test_demo() {
   expect "demo: frames" frames_are out/demo 16
   DEMO_CONFIG=$work/wall_at_one_hertz.ini run_script demo.sh out/demo/images.rawlog out/rawlog
   expect "demo of a rawlog: exit code 0" exits_with 0
-  run_script demo.sh
-  expect "demo without an argument: exit code 2" exits_with 2
+}
+
+test_demo_town() {
+  DEMO_PRESET=tiny DEMO_CONFIG=$work/wall_at_one_hertz.ini run_script demo.sh
+  expect "demo without an argument: exit code 0" exits_with 0
+  expect "demo without an argument: the town from the air" test -s "$work/demo-results/town.png"
+  expect "demo without an argument: frames" frames_are demo-results 60
+  expect "demo without an argument: scored" test -s "$work/demo-results/evaluation/exact/evaluation.json"
+  DEMO_PRESET=huge run_script demo.sh
+  expect "demo of a preset that is none: exit code 2" exits_with 2
+  run_script demo.sh absent
+  expect "demo of what is not there: exit code 1" exits_with 1
+  run_script demo.sh a b c
+  expect "demo with too many arguments: exit code 2" exits_with 2
 }
 
 test_usage() {
@@ -198,6 +210,7 @@ test_malaga
 test_new_college
 test_tum
 test_demo
+test_demo_town
 test_usage
 if ((failures > 0)); then
   echo "$failures checks failed"

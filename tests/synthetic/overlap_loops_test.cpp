@@ -199,7 +199,7 @@ TEST(OverlapLoops, RefusesBadOptions)
 TEST(WriteLoops, WritesAHeaderAndALineAPair)
 {
     std::ostringstream out;
-    write_loops(out, TTruthOptions(), {{FrameId{7}, FrameId{1}, 0.5}, {FrameId{8}, FrameId{0}, 1}});
+    write_loops(out, TTruthOptions(), {{FrameId{7}, FrameId{1}, 0.5}, {FrameId{8}, FrameId{0}, 1}}, {{FrameId{7}, FrameId{2}, 0.3}});
     std::istringstream lines(out.str());
     std::string line;
     std::string header;
@@ -209,6 +209,8 @@ TEST(WriteLoops, WritesAHeaderAndALineAPair)
     EXPECT_EQ(line, "7 1");
     std::getline(lines, line);
     EXPECT_EQ(line, "8 0");
+    std::getline(lines, line);
+    EXPECT_EQ(line, "7 2 0");
     EXPECT_FALSE(std::getline(lines, line));
 }
 

@@ -131,4 +131,25 @@ TEST(BirdsEye, ShowsTheRouteOverTheStreets)
     EXPECT_LT(cv::countNonZero(red), 20);
 }
 
+TEST(BirdsEye, NamesThePartsOfARouteAndLeavesNoGaps)
+{
+    using fild::Stretch;
+    const auto pose = [](double x, int lap, Stretch stretch)
+    { return fild::RoutePose{x, lap, stretch, {x, 0, 0, 0, 0, 0}}; };
+    const auto lines = fild::route_lines({pose(0, 0, Stretch::lap),
+                                          pose(1, 0, Stretch::lap),
+                                          pose(2, 1, Stretch::lap),
+                                          pose(3, 1, Stretch::link),
+                                          pose(4, 1, Stretch::once),
+                                          pose(5, 1, Stretch::opposite)});
+    std::vector<std::string> names;
+    for (const auto& line : lines) names.push_back(line.name);
+    EXPECT_THAT(
+        names,
+        ::testing::ElementsAre("lap 1", "lap 2", "between", "driven once", "opposite direction"));
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        EXPECT_EQ(lines[i].points.front(), lines[i - 1].points.back());
+    EXPECT_TRUE(fild::route_lines({}).empty());
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 #include "fild/detector/loop_detector.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -45,6 +46,7 @@ std::size_t bytes_of(const HashedFeatures& features)
 LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_dimension)
     : min_similarity_(options.index.min_similarity),
       candidates_(static_cast<std::size_t>(options.index.candidates)),
+      follow_neighbours_(options.index.follow_neighbours),
       queue_(options.index),
       index_(make_place_index(
           options.index, global_dimension, static_cast<std::uint64_t>(options.runtime.seed))),
@@ -86,6 +88,7 @@ void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& release
     {
         const StageTimer timer(times, "index_insertion");
         index_->insert(entry.frame, entry.descriptor);
+        last_released_ = entry.frame;
     }
 }
 
@@ -106,7 +109,9 @@ DetectorOutcome LoopDetector::find_loop(const FrameDescription& query, StageTime
         auto outcome = verify(query, candidate, times);
         if (!furthest || came_further(outcome, *furthest)) furthest = std::move(outcome);
     }
-    if (furthest) return std::move(*furthest);
+    if (furthest)
+        return follow_neighbours_ ? best_of_neighbours(query, std::move(*furthest), times)
+                                  : std::move(*furthest);
     DetectorOutcome unlike{verdict_of(query, Rejection::below_similarity), {}, {}};
     unlike.verdict.candidate = candidates.front();
     return unlike;
@@ -142,6 +147,35 @@ DetectorOutcome LoopDetector::verify(const FrameDescription& query,
     return outcome;
 }
 
+DetectorOutcome LoopDetector::best_of_neighbours(const FrameDescription& query,
+                                                 DetectorOutcome best,
+                                                 StageTimes& times) const
+{
+    for (const int step : {-1, 1})
+        while (best.verdict.inliers > 0)
+        {
+            const auto here = to_index(best.verdict.candidate->frame);
+            if (here == 0 && step < 0) break;
+            const auto neighbour = released_place(query, FrameId{step < 0 ? here - 1 : here + 1});
+            if (!neighbour) break;
+            auto outcome = verify(query, *neighbour, times);
+            if (!came_further(outcome, best)) break;
+            best = std::move(outcome);
+        }
+    return best;
+}
+
+std::optional<Candidate> LoopDetector::released_place(const FrameDescription& query,
+                                                      FrameId frame) const
+{
+    const auto place = places_.find(frame);
+    if (place == places_.end() || !last_released_ || frame > *last_released_) return std::nullopt;
+    const auto& global = place->second.global;
+    const auto cosine =
+        std::inner_product(global.begin(), global.end(), query.global.begin(), 0.0F);
+    return Candidate{frame, cosine};
+}
+
 void LoopDetector::check_consistency(DetectorOutcome& outcome)
 {
     auto& verdict = outcome.verdict;
@@ -158,7 +192,9 @@ void LoopDetector::check_consistency(DetectorOutcome& outcome)
 void LoopDetector::remember(FrameDescription description)
 {
     map_bytes_ += bytes_of(description.local) + description.global.size() * sizeof(float);
-    places_.emplace(description.frame, Place{description.timestamp, std::move(description.local)});
+    places_.emplace(
+        description.frame,
+        Place{description.timestamp, std::move(description.global), std::move(description.local)});
 }
 
 }  // namespace fild

@@ -41,6 +41,7 @@ Format format_of(const std::string& path)
     switch (rows[0].values.size())
     {
         case 2:
+        case 3:
             return Format::loop_list;
         case 8:
             return Format::tum_poses;
@@ -48,7 +49,7 @@ Format format_of(const std::string& path)
             return Format::kitti_poses;
         default:
             throw std::runtime_error(rows[0].origin + ": " + std::to_string(rows[0].values.size()) +
-                                     " numbers; ground truth has 2 (QUERY CANDIDATE), 8 (TUM pose) "
+                                     " numbers; ground truth has 2 (QUERY CANDIDATE), or 3, 8 (TUM pose) "
                                      "or 12 (KITTI pose) a line, or is a MATLAB file");
     }
 }
@@ -109,6 +110,8 @@ GroundTruth load_labels(const std::string& path,
     ground_truth.content = (matrix ? "loop matrix of " + std::to_string(frames) + " frames, "
                                    : std::string("list of loops, ")) +
                            count_of(labels.pairs, "pair", "pairs");
+    if (!labels.doubtful.empty())
+        ground_truth.content += ", " + std::to_string(labels.doubtful.size()) + " doubtful";
     ground_truth.remarks = remarks_on(labels);
     const auto window = protocol.kind == Protocol::Kind::window ? protocol.window : 0;
     ground_truth.truth = std::make_unique<LabelTruth>(std::move(labels), window);

@@ -68,12 +68,20 @@ LoopLabels to_loop_labels(std::vector<std::pair<std::size_t, std::size_t>> pairs
 LoopLabels read_loop_list(const std::string& path)
 {
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    std::set<std::pair<std::size_t, std::size_t>> doubtful;
     for (const auto& row : read_number_rows(path))
     {
-        require_numbers(row, 2, "QUERY CANDIDATE, frame numbers from 0");
-        pairs.emplace_back(parse_frame(row, 0), parse_frame(row, 1));
+        const bool is_doubtful = row.values.size() == 3 && row.values[2] == 0;
+        if (!is_doubtful) require_numbers(row, 2, "QUERY CANDIDATE, frame numbers from 0");
+        const std::pair pair(parse_frame(row, 0), parse_frame(row, 1));
+        if (is_doubtful)
+            doubtful.insert(pair);
+        else
+            pairs.push_back(pair);
     }
-    return to_loop_labels(std::move(pairs), std::nullopt);
+    auto labels = to_loop_labels(std::move(pairs), std::nullopt);
+    labels.doubtful = std::move(doubtful);
+    return labels;
 }
 
 }  // namespace fild

@@ -30,13 +30,15 @@ bool LabelTruth::is_loop_query(FrameId query) const
 
 Judgement LabelTruth::judge(FrameId query, FrameId candidate) const
 {
+    const bool doubtful = labels_.doubtful.count({to_index(query), to_index(candidate)}) > 0;
+    const auto otherwise = doubtful ? Judgement::neither : Judgement::wrong;
     const auto labelled = labels_.earlier_frames.find(to_index(query));
-    if (labelled == labels_.earlier_frames.end()) return Judgement::wrong;
+    if (labelled == labels_.earlier_frames.end()) return otherwise;
     const auto& frames = labelled->second;
     const auto column = to_index(candidate);
     const auto first = column < window_ ? 0 : column - window_;
     const auto near = std::lower_bound(frames.begin(), frames.end(), first);
-    return near != frames.end() && *near <= column + window_ ? Judgement::right : Judgement::wrong;
+    return near != frames.end() && *near <= column + window_ ? Judgement::right : otherwise;
 }
 
 PoseTruth::PoseTruth(std::vector<PosedFrame> frames, const Protocol& protocol)

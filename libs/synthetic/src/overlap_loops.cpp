@@ -94,6 +94,7 @@ struct OverlapLoops::State
     CameraModel camera;
     std::vector<SeenFrame> frames;
     std::vector<LoopPair> pairs;
+    std::vector<LoopPair> doubtful_pairs;
 };
 
 bool OverlapLoops::State::is_near(const SeenFrame& query, const SeenFrame& candidate) const
@@ -139,7 +140,7 @@ void OverlapLoops::add(double seconds,
                        const mrpt::math::TPose3D& map_from_camera,
                        const cv::Mat& depth)
 {
-    auto& [options, camera, frames, pairs] = *state_;
+    auto& [options, camera, frames, pairs, doubtful_pairs] = *state_;
     if (depth.type() != CV_32FC1 || depth.cols != camera.width || depth.rows != camera.height)
         throw std::invalid_argument("OverlapLoops::add: depth is not float of the camera's size");
     SeenFrame query{seconds, CPose3D(map_from_camera), grid_points(camera, depth)};
@@ -148,7 +149,9 @@ void OverlapLoops::add(double seconds,
     {
         if (!state_->is_near(query, frames[i])) continue;
         const double overlap = state_->overlap(query, depth, frames[i]);
-        if (overlap >= options.overlap) pairs.push_back({query_id, FrameId{i}, overlap});
+        if (overlap >= options.doubtful_overlap)
+            (overlap >= options.overlap ? pairs : doubtful_pairs)
+                .push_back({query_id, FrameId{i}, overlap});
     }
     frames.push_back(std::move(query));
 }
@@ -158,24 +161,40 @@ const std::vector<LoopPair>& OverlapLoops::pairs() const
     return state_->pairs;
 }
 
+const std::vector<LoopPair>& OverlapLoops::doubtful_pairs() const
+{
+    return state_->doubtful_pairs;
+}
+
 void TTruthOptions::describe(OptionVisitor& visitor)
 {
     visitor.real("overlap", overlap, 0.01, 1);
+    visitor.real("doubtful_overlap", doubtful_overlap, 0.01, 1);
     visitor.real("min_age_seconds", min_age_seconds, 0, 1e6);
     visitor.real("max_distance_m", max_distance_m, 0, 1000);
     visitor.real("max_angle_deg", max_angle_deg, 0, 180);
 }
 
+void TTruthOptions::check_between_fields() const
+{
+    if (doubtful_overlap > overlap)
+        throw std::invalid_argument("doubtful_overlap is above overlap, from which on a pair is a loop");
+}
+
 void write_loops(std::ostream& out,
                  const TTruthOptions& options,
-                 const std::vector<LoopPair>& pairs)
+                 const std::vector<LoopPair>& pairs,
+                 const std::vector<LoopPair>& doubtful_pairs)
 {
-    out << "# query candidate (0-based camera frames; the candidate is the earlier one)\n"
+    out << "# query candidate (0-based camera frames; the candidate is the earlier one);\n"
+        << "# a third word 0: doubtful, neither a loop nor none\n"
         << "# the share `overlap` or more of the candidate's pixels is seen in the query;";
     for (const auto& [key, value] : options.values()) out << " " << key << "=" << value;
     out << "\n";
     for (const auto& pair : pairs)
         out << to_index(pair.query) << " " << to_index(pair.candidate) << "\n";
+    for (const auto& pair : doubtful_pairs)
+        out << to_index(pair.query) << " " << to_index(pair.candidate) << " 0\n";
 }
 
 }  // namespace fild

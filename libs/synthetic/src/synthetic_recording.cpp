@@ -185,7 +185,7 @@ mrpt::obs::CObservation::Ptr Recorder::odometry_observation(std::size_t frame) c
 SyntheticSummary Recorder::finish()
 {
     write_robot_path(files_.poses(), true_path(route_));
-    write_loops(files_.loops(), options_.truth, loops_.pairs());
+    write_loops(files_.loops(), options_.truth, loops_.pairs(), loops_.doubtful_pairs());
     SyntheticSummary summary;
     summary.paths = files_.commit();
     summary.frames = route_.size();

@@ -54,6 +54,7 @@ class LoopDetector
     struct Place
     {
         double timestamp = 0;
+        GlobalDescriptor global;
         HashedFeatures local;
     };
 
@@ -63,11 +64,16 @@ class LoopDetector
     DetectorOutcome verify(const FrameDescription& query,
                            const Candidate& candidate,
                            StageTimes& times) const;
+    DetectorOutcome best_of_neighbours(const FrameDescription& query,
+                                       DetectorOutcome best,
+                                       StageTimes& times) const;
+    std::optional<Candidate> released_place(const FrameDescription& query, FrameId frame) const;
     void check_consistency(DetectorOutcome& outcome);
     void remember(FrameDescription description);
 
     double min_similarity_;
     std::size_t candidates_;
+    bool follow_neighbours_;
     DelayQueue queue_;
     std::unique_ptr<PlaceIndex> index_;
     CodeMatcher matcher_;
@@ -79,6 +85,7 @@ class LoopDetector
     double clock_ = 0;  ///< seconds since the first frame; never runs backwards
     std::optional<double> last_timestamp_;
     std::optional<FrameId> last_frame_;
+    std::optional<FrameId> last_released_;  ///< by the delay queue
     std::size_t clock_jumps_ = 0;
 };
 

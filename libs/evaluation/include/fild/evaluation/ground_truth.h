@@ -20,8 +20,8 @@ struct GroundTruth
 };
 
 /** Loads a ground-truth file of a run. What it is shows in its content: a MATLAB file is a loop
- *  matrix; of text, the first line that is neither blank nor a comment has 2 numbers (list of
- *  loops), 8 (TUM poses) or 12 (KITTI poses).
+ *  matrix; of text, the first line that is neither blank nor a comment has 2 or 3 numbers
+ *  (list of loops), 8 (TUM poses) or 12 (KITTI poses).
  *  \throw std::invalid_argument when the protocol does not go with the file: poses need `radius:R`,
  *         labels `exact` or `window:N`.
  *  \throw std::runtime_error naming the file: unreadable or of unknown format, of another length

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ struct LoopLabels
 {
     /** For each loop query its true earlier frames, ascending, perhaps none. */
     std::map<std::size_t, std::vector<std::size_t>> earlier_frames;
+    /** Pairs of a query and an earlier frame that are labelled as neither loops nor none. */
+    std::set<std::pair<std::size_t, std::size_t>> doubtful;
     std::optional<std::size_t> frames;  ///< that were labelled; none: not known (a list)
     bool transposed = false;
     std::size_t pairs = 0;  ///< of a query and a true earlier frame
@@ -41,9 +44,9 @@ struct LoopLabels
 LoopLabels to_loop_labels(std::vector<std::pair<std::size_t, std::size_t>> pairs,
                           std::optional<std::size_t> frames);
 
-/** Reads a list, `QUERY CANDIDATE` a line, frame numbers from 0, separated by blanks; blank lines
- *  and lines that begin with `#` are passed over. \throw std::runtime_error naming file and line.
- */
+/** Reads a list, `QUERY CANDIDATE` a line, frame numbers from 0, separated by blanks, or with a
+ *  third word 0 for a doubtful pair; blank lines and lines that begin with `#` are passed over.
+ *  \throw std::runtime_error naming file and line. */
 LoopLabels read_loop_list(const std::string& path);
 
 /** Reads a loop matrix out of a MATLAB file (version 4, 5 or 7.3): its only square matrix of real

@@ -37,7 +37,7 @@ class LoopTruth
 
 /** Labels under `exact` or `window:N`. A loop query is a frame with a label. A loop closure is
  * right when its candidate is at most N columns (exact: 0) from a labelled one of the same query;
- *  all others are wrong, `neither` does not occur. */
+ *  neither when the pair is labelled as doubtful; all others are wrong. */
 class LabelTruth : public LoopTruth
 {
  public:

@@ -24,6 +24,10 @@ struct TIndexOptions : Options
     int candidates = 1;
     /** Neighbours less similar than this are not verified; cosine. The paper has no such bound. */
     double min_similarity = -1;
+    /** From the best answer on, verify the frames just before and after it too, as long as the
+     *  inliers grow: the nearest descriptor along a street is often that of a frame some metres
+     * off. Synthetic town: PENDING. The paper does not. */
+    bool follow_neighbours = false;
     IndexBackend backend = IndexBackend::hnsw;
     int links_per_node =
         48;  ///< M of the HNSW graph, links of a node in each layer above the lowest

@@ -18,6 +18,8 @@ namespace fild
 struct TTruthOptions : Options
 {
     double overlap = 0.4;  ///< least share of the candidate's pixels that the query sees too
+    /** From this share on a pair that is no loop is doubtful: to answer with it is not wrong. */
+    double doubtful_overlap = 0.2;
     /** Earlier frames younger than this are no candidates; the delay of config-ini/default.ini. */
     double min_age_seconds = 20;
     double max_distance_m = 10;  ///< between the cameras
@@ -25,6 +27,7 @@ struct TTruthOptions : Options
 
  protected:
     void describe(OptionVisitor& visitor) override;
+    void check_between_fields() const override;
 };
 
 /** Two frames that see the same place from a near viewpoint. Value type. */
@@ -59,16 +62,20 @@ class OverlapLoops
 
     /** All loops up to now, by query, then candidate. */
     const std::vector<LoopPair>& pairs() const;
+    /** All doubtful pairs up to now, in the same order. */
+    const std::vector<LoopPair>& doubtful_pairs() const;
 
  private:
     struct State;
     std::unique_ptr<State> state_;
 };
 
-/** Writes loops as loop-closure-eval reads them: a line "query candidate" each, after lines that
- *  begin with '#' and say how they were found. */
+/** Writes loops as loop-closure-eval reads them: a line "query candidate" each, then a line "query
+ *  candidate 0" for each doubtful pair, after lines that begin with '#' and say how they were
+ *  found. */
 void write_loops(std::ostream& out,
                  const TTruthOptions& options,
-                 const std::vector<LoopPair>& pairs);
+                 const std::vector<LoopPair>& pairs,
+                 const std::vector<LoopPair>& doubtful_pairs);
 
 }  // namespace fild
