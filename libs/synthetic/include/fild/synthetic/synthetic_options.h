@@ -33,7 +33,7 @@ enum class Preset
 {
     tiny,  ///< for tests: two short laps, some 60 small frames
     demo,  ///< two laps, some 420 frames of 640x480
-    large  ///< four laps round the largest town, some 2,200 frames of 640x480
+    large  ///< four laps round the largest town, some 2,100 frames of 640x480
 };
 
 /** The options of a preset; all that it does not need otherwise have their defaults. */
