@@ -176,6 +176,46 @@ TEST(LoopDetector, TakesTheCandidateWithTheMostInliersOfSeveral)
     EXPECT_EQ(run(2).candidate->frame, FrameId{1});
 }
 
+/** The place where only the first `points` points are seen as at place 10. */
+FrameDescription part_of_place_10(std::size_t points, std::size_t frame, double timestamp)
+{
+    auto view = view_of(10, 0);
+    const auto other = view_of(50 + frame, 0);
+    auto& words = view.local.codes.words;
+    for (std::size_t i = 4 * points; i < words.size(); ++i) words[i] = other.local.codes.words[i];
+    if (frame > 0) view.global = other.global;
+    view.frame = FrameId{frame};
+    view.timestamp = timestamp;
+    return view;
+}
+
+/** The descriptor leads to frame 0; each frame after it shows more of the query's place. Frame 4
+ *  shows all, but is still in the delay queue. */
+TEST(LoopDetector, FollowsNeighboursAsLongAsTheInliersGrow)
+{
+    const auto run = [](bool follow_neighbours)
+    {
+        auto options = options_with_delay(2);
+        options.index.follow_neighbours = follow_neighbours;
+        fild::LoopDetector detector(options, kDimension);
+        fild::StageTimes times;
+        const std::vector<std::size_t> points{30, 40, 50, 60};
+        for (std::size_t i = 0; i < points.size(); ++i)
+            detector.process(part_of_place_10(points[i], i, static_cast<double>(i)), times);
+        detector.process(part_of_place_10(kPoints, 4, 9), times);
+        auto query = view_of(10, 0.4);
+        query.frame = FrameId{5};
+        query.timestamp = 10;
+        return detector.process(std::move(query), times).verdict;
+    };
+    EXPECT_EQ(run(false).candidate->frame, FrameId{0});
+    const auto followed = run(true);
+    EXPECT_TRUE(followed.accepted());
+    EXPECT_EQ(followed.candidate->frame, FrameId{3});
+    EXPECT_GT(followed.inliers, run(false).inliers);
+    EXPECT_LT(followed.candidate->similarity, run(false).candidate->similarity);
+}
+
 TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)
 {
     fild::LoopDetector detector(options_with_delay(1), kDimension);

@@ -199,7 +199,10 @@ TEST(OverlapLoops, RefusesBadOptions)
 TEST(WriteLoops, WritesAHeaderAndALineAPair)
 {
     std::ostringstream out;
-    write_loops(out, TTruthOptions(), {{FrameId{7}, FrameId{1}, 0.5}, {FrameId{8}, FrameId{0}, 1}}, {{FrameId{7}, FrameId{2}, 0.3}});
+    write_loops(out,
+                TTruthOptions(),
+                {{FrameId{7}, FrameId{1}, 0.5}, {FrameId{8}, FrameId{0}, 1}},
+                {{FrameId{7}, FrameId{2}, 0.3}});
     std::istringstream lines(out.str());
     std::string line;
     std::string header;

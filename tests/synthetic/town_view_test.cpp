@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/features/surf.h"
 #include "fild/synthetic/birds_eye.h"
+#include "fild/synthetic/synthetic_options.h"
 #include "fild/synthetic/town.h"
 #include "message_of.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <mrpt/poses/CPose3D.h>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace
@@ -134,8 +136,9 @@ TEST(BirdsEye, ShowsTheRouteOverTheStreets)
 TEST(BirdsEye, NamesThePartsOfARouteAndLeavesNoGaps)
 {
     using fild::Stretch;
-    const auto pose = [](double x, int lap, Stretch stretch)
-    { return fild::RoutePose{x, lap, stretch, {x, 0, 0, 0, 0, 0}}; };
+    const auto pose = [](double x, int lap, Stretch stretch) {
+        return fild::RoutePose{x, lap, stretch, {x, 0, 0, 0, 0, 0}};
+    };
     const auto lines = fild::route_lines({pose(0, 0, Stretch::lap),
                                           pose(1, 0, Stretch::lap),
                                           pose(2, 1, Stretch::lap),
@@ -150,6 +153,20 @@ TEST(BirdsEye, NamesThePartsOfARouteAndLeavesNoGaps)
     for (std::size_t i = 1; i < lines.size(); ++i)
         EXPECT_EQ(lines[i].points.front(), lines[i - 1].points.back());
     EXPECT_TRUE(fild::route_lines({}).empty());
+}
+
+/** To make it anew: synthetic-rawlog --birds-eye town.png --output town.rawlog, and
+ *  convert -resize 1000x -quality 80 town.png tests/data/town.jpg (ImageMagick). */
+TEST(BirdsEye, ThePictureInTheReadmeShowsTheTownAsItIs)
+{
+    const auto options = fild::options_of(fild::Preset::demo);
+    fild::Town town(options.town);
+    const auto route = fild::plan_route(options.route, town.grid(), 1);
+    auto now = fild::draw_birds_eye(town, fild::route_lines(route), {});
+    const auto in_readme = cv::imread(FILD_SOURCE_DIR "/tests/data/town.jpg");
+    ASSERT_FALSE(in_readme.empty());
+    cv::resize(now, now, in_readme.size(), 0, 0, cv::INTER_AREA);
+    EXPECT_LT(difference(now, in_readme), 6);
 }
 
 }  // namespace

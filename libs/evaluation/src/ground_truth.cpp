@@ -48,9 +48,10 @@ Format format_of(const std::string& path)
         case 12:
             return Format::kitti_poses;
         default:
-            throw std::runtime_error(rows[0].origin + ": " + std::to_string(rows[0].values.size()) +
-                                     " numbers; ground truth has 2 (QUERY CANDIDATE), or 3, 8 (TUM pose) "
-                                     "or 12 (KITTI pose) a line, or is a MATLAB file");
+            throw std::runtime_error(
+                rows[0].origin + ": " + std::to_string(rows[0].values.size()) +
+                " numbers; ground truth has 2 (QUERY CANDIDATE), or 3, 8 (TUM pose) "
+                "or 12 (KITTI pose) a line, or is a MATLAB file");
     }
 }
 

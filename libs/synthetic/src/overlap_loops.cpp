@@ -178,7 +178,8 @@ void TTruthOptions::describe(OptionVisitor& visitor)
 void TTruthOptions::check_between_fields() const
 {
     if (doubtful_overlap > overlap)
-        throw std::invalid_argument("doubtful_overlap is above overlap, from which on a pair is a loop");
+        throw std::invalid_argument(
+            "doubtful_overlap is above overlap, from which on a pair is a loop");
 }
 
 void write_loops(std::ostream& out,

@@ -17,11 +17,10 @@ constexpr double kRadPerDeg = 0.017453292519943295;
 
 void TSensorOptions::describe(OptionVisitor& visitor)
 {
-    visitor.choice<SensorKind>("sensor",
-                               sensor,
-                               {{"mono", SensorKind::mono},
-                                {"stereo", SensorKind::stereo},
-                                {"rgbd", SensorKind::rgbd}});
+    visitor.choice<SensorKind>(
+        "sensor",
+        sensor,
+        {{"mono", SensorKind::mono}, {"stereo", SensorKind::stereo}, {"rgbd", SensorKind::rgbd}});
     visitor.integer("width", width, 16, 8192);
     visitor.integer("height", height, 16, 8192);
     visitor.real("field_of_view_deg", field_of_view_deg, 10, 150);

@@ -16,8 +16,8 @@ struct GeodeticPosition
 /** Where the synthetic town's origin (crossing (0, 0)) would be. */
 constexpr GeodeticPosition kTownOrigin{36.7153, -4.4773, 55};
 
-/** The place of a point of the town: x east, y north, z up of kTownOrigin. Linear in x and y; within
- *  3 cm at 500 m from the origin. */
+/** The place of a point of the town: x east, y north, z up of kTownOrigin. Linear in x and y;
+ * within 3 cm at 500 m from the origin. */
 GeodeticPosition geodetic_from_map(const mrpt::math::TPoint3D& point);
 
 }  // namespace fild
