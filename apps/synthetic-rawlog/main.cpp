@@ -91,7 +91,7 @@ std::optional<AppOptions> parse(int argc, char** argv)
     return options;
 }
 
-void write_birds_eye(const std::string& path,
+void write_birds_eye(fild::WholeFile& file,
                      const fild::TSyntheticOptions& options,
                      fild::Town& town)
 {
@@ -99,7 +99,6 @@ void write_birds_eye(const std::string& path,
     const auto route = fild::plan_route(options.route, town.grid(), seed);
     std::vector<uchar> png;
     cv::imencode(".png", fild::draw_birds_eye(town, fild::route_lines(route), {}), png);
-    fild::WholeFile file(path);
     file.stream().write(reinterpret_cast<const char*>(png.data()),
                         static_cast<std::streamsize>(png.size()));
     file.commit();
@@ -109,6 +108,8 @@ void run(const AppOptions& options)
 {
     fild::catch_interruption();
     const auto& request = options.request;
+    std::optional<fild::WholeFile> birds_eye;  // opened now: a wrong path is told at once
+    if (!options.birds_eye_path.empty()) birds_eye.emplace(options.birds_eye_path);
     std::optional<fild::Town> town;  // painted once the request is known to be good
     const auto draw = [&](const auto& camera, const auto& map_from_camera, const auto& conditions)
     {
@@ -123,8 +124,7 @@ void run(const AppOptions& options)
     };
     const auto made =
         write_synthetic_recording(request, request.options.town.street_grid(), draw, on_frame);
-    if (!options.birds_eye_path.empty())
-        write_birds_eye(options.birds_eye_path, request.options, *town);
+    if (birds_eye) write_birds_eye(*birds_eye, request.options, *town);
     std::cout << made.paths.front() << ": " << made.frames << " frames, "
               << static_cast<long>(made.metres) << " m, " << made.queries_with_loop
               << " frames with a loop (" << made.loops << " pairs); beside it:";

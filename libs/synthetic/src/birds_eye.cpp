@@ -73,10 +73,16 @@ cv::Scalar route_colour(std::size_t index)
     return colours[index % colours.size()];
 }
 
-void draw_route(cv::Mat& picture, const AirView& view, const RouteLine& route, std::size_t index)
+/** \param index  which colour. \param layer  0: on top of all; lines below are wider, so that they
+ *  show where others lie on them. */
+void draw_route(cv::Mat& picture,
+                const AirView& view,
+                const RouteLine& route,
+                std::size_t index,
+                std::size_t layer)
 {
     constexpr double kArrowEvery = 50;
-    const auto thickness = std::max(2, picture.cols / 500);
+    const auto thickness = std::max(2, picture.cols / 500) * (2 + static_cast<int>(layer)) / 2;
     double driven = kArrowEvery / 2;
     for (std::size_t i = 1; i < route.points.size(); ++i)
     {
@@ -176,7 +182,8 @@ cv::Mat draw_birds_eye(Town& town,
     for (const auto& route : routes)
     {
         const auto name = std::find(names.begin(), names.end(), route.name);
-        draw_route(picture, view, route, static_cast<std::size_t>(name - names.begin()));
+        const auto index = static_cast<std::size_t>(name - names.begin());
+        draw_route(picture, view, route, index, names.size() - 1 - index);
     }
     draw_legend(picture, names);
     return picture;
