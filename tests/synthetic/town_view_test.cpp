@@ -146,6 +146,7 @@ TEST(BirdsEye, NamesThePartsOfARouteAndLeavesNoGaps)
                                           pose(4, 1, Stretch::once),
                                           pose(5, 1, Stretch::opposite)});
     std::vector<std::string> names;
+    names.reserve(lines.size());
     for (const auto& line : lines) names.push_back(line.name);
     EXPECT_THAT(
         names,

@@ -66,9 +66,12 @@ mrpt::img::TCamera sampling_camera(const CameraModel& camera)
     return samples;
 }
 
+using PixelSamples = std::array<float, 4>;
+static_assert(PixelSamples{}.size() == std::size_t{kSamplesPerSide} * kSamplesPerSide);
+
 /** Depth of a pixel out of its samples: at the edge of an object that of the object, not a mean
  *  with what is behind it. */
-float pixel_depth(const std::array<float, kSamplesPerSide * kSamplesPerSide>& samples)
+float pixel_depth(const PixelSamples& samples)
 {
     float nearest = 0;
     for (const float depth : samples)
@@ -87,17 +90,18 @@ float pixel_depth(const std::array<float, kSamplesPerSide * kSamplesPerSide>& sa
     return static_cast<float>(count) / sum_of_inverses;
 }
 
-cv::Mat pixel_depths(const mrpt::math::CMatrixFloat& samples, const cv::Size& size)
+cv::Mat pixel_depths(const cv::Mat_<float>& samples, const cv::Size& size)
 {
     cv::Mat depths(size, CV_32F);
     for (int row = 0; row < size.height; ++row)
         for (int column = 0; column < size.width; ++column)
         {
-            std::array<float, kSamplesPerSide * kSamplesPerSide> of_pixel{};
-            for (int i = 0; i < kSamplesPerSide * kSamplesPerSide; ++i)
-                of_pixel[static_cast<std::size_t>(i)] =
-                    samples(row * kSamplesPerSide + i / kSamplesPerSide,
-                            column * kSamplesPerSide + i % kSamplesPerSide);
+            PixelSamples of_pixel{};
+            std::size_t next = 0;
+            for (int y = 0; y < kSamplesPerSide; ++y)
+                for (int x = 0; x < kSamplesPerSide; ++x)
+                    of_pixel[next++] =
+                        samples(row * kSamplesPerSide + y, column * kSamplesPerSide + x);
             depths.at<float>(row, column) = pixel_depth(of_pixel);
         }
     return depths;
@@ -201,7 +205,9 @@ RenderedView OffscreenRenderer::draw(const CameraModel& camera,
     RenderedView view;
     const cv::Size size(camera.width, camera.height);
     cv::resize(samples.asCvMatRef(), view.image, size, 0, 0, cv::INTER_AREA);
-    view.depth = pixel_depths(depth_samples, size);
+    const auto sampled = size * kSamplesPerSide;
+    view.depth =
+        pixel_depths(cv::Mat_<float>(sampled.height, sampled.width, depth_samples.data()), size);
     return view;
 }
 
