@@ -16,7 +16,7 @@ $rerun_help"
 drive_through_town() {
   rawlog=$output/town.rawlog
   rm -rf "$rawlog" "$output"/town{_Images,.gt.tum,.loops.txt,.png}
-  run_app synthetic-rawlog --preset "${DEMO_PRESET:-demo}" --output "$rawlog" \
+  run_app synthetic-rawlog --preset "$DEMO_PRESET" --output "$rawlog" \
     --birds-eye "$output/town.png"
 }
 
@@ -28,6 +28,12 @@ input=${1:-}
 output=$(realpath -m "${2:-demo-results}")
 DATASET_CONFIG=${DEMO_CONFIG:-}
 choose_config default.ini
+case "${DEMO_PRESET:=demo}" in
+  tiny | demo | large) ;;
+  *) miss "DEMO_PRESET=$DEMO_PRESET is not tiny, demo or large" ;;
+esac
+[ "$input" != "$output/images_Images" ] && [ "$input" != "$output/images.rawlog" ] || [ ! -d "$input" ] ||
+  miss "OUTPUT_FOLDER must not hold the images, $input: they would be replaced"
 stop_if_missing
 
 prepare_apps

@@ -109,7 +109,11 @@ void run(const AppOptions& options)
     fild::catch_interruption();
     const auto& request = options.request;
     std::optional<fild::WholeFile> birds_eye;  // opened now: a wrong path is told at once
-    if (!options.birds_eye_path.empty()) birds_eye.emplace(options.birds_eye_path);
+    if (!options.birds_eye_path.empty())
+    {
+        fild::refuse_existing(options.birds_eye_path);
+        birds_eye.emplace(options.birds_eye_path);
+    }
     std::optional<fild::Town> town;  // painted once the request is known to be good
     const auto draw = [&](const auto& camera, const auto& map_from_camera, const auto& conditions)
     {

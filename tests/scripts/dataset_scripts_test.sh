@@ -177,7 +177,7 @@ test_demo_town() {
   expect "demo without an argument: frames" frames_are demo-results 60
   expect "demo without an argument: scored" test -s "$work/demo-results/evaluation/exact/evaluation.json"
   DEMO_PRESET=huge run_script demo.sh
-  expect "demo of a preset that is none: exit code 2" exits_with 2
+  expect "demo of a preset that is none: exit code 1" exits_with 1
   run_script demo.sh absent
   expect "demo of what is not there: exit code 1" exits_with 1
   run_script demo.sh a b c

@@ -19,16 +19,22 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 "$source_dir/datasets-scripts/demo.sh"
 "$python" - << 'END'
-import csv, json, sys
+import csv, json, math
 
 score = json.load(open("demo-results/evaluation/window_10/evaluation.json"))
 assert score["precision"] == 1, score["precision"]
 assert score["recall"] >= 0.7, score["recall"]
+exact = json.load(open("demo-results/evaluation/exact/evaluation.json"))
+assert exact["precision"] >= 0.95 and exact["recall"] >= 0.7, exact
 
-# Whatever was accepted is near: no look-alike house, no place seen in the opposite direction.
-places = [list(map(float, line.split()[1:4])) for line in open("demo-results/town.gt.tum")]
+# Whatever was accepted is near and seen in the same direction: no look-alike house.
+def heading(qx, qy, qz, qw):
+    return math.degrees(math.atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz)))
+
+poses = [list(map(float, line.split()[1:])) for line in open("demo-results/town.gt.tum")]
 for loop in csv.DictReader(open("demo-results/loops.csv")):
-    query, candidate = places[int(loop["frame"])], places[int(loop["candidate"])]
-    metres = sum((a - b) ** 2 for a, b in zip(query, candidate)) ** 0.5
-    assert metres < 40, (loop, metres)
+    query, candidate = poses[int(loop["frame"])], poses[int(loop["candidate"])]
+    metres = math.dist(query[:3], candidate[:3])
+    turned = abs((heading(*query[3:]) - heading(*candidate[3:]) + 180) % 360 - 180)
+    assert metres < 40 and turned < 45, (loop, metres, turned)
 END

@@ -151,29 +151,39 @@ DetectorOutcome LoopDetector::best_of_neighbours(const FrameDescription& query,
                                                  DetectorOutcome best,
                                                  StageTimes& times) const
 {
-    for (const int step : {-1, 1})
+    for (const bool later : {false, true})
+    {
+        const auto start = best.verdict.candidate->frame;
         while (best.verdict.inliers > 0)
         {
-            const auto here = to_index(best.verdict.candidate->frame);
-            if (here == 0 && step < 0) break;
-            const auto neighbour = released_place(query, FrameId{step < 0 ? here - 1 : here + 1});
-            if (!neighbour) break;
+            const auto neighbour = neighbour_of(best.verdict.candidate->frame, later, query);
+            if (!neighbour || neighbour->similarity < min_similarity_) break;
             auto outcome = verify(query, *neighbour, times);
             if (!came_further(outcome, best)) break;
             best = std::move(outcome);
         }
+        if (best.verdict.candidate->frame != start) break;  // the other way leads back
+    }
     return best;
 }
 
-std::optional<Candidate> LoopDetector::released_place(const FrameDescription& query,
-                                                      FrameId frame) const
+std::optional<Candidate> LoopDetector::neighbour_of(FrameId place,
+                                                    bool later,
+                                                    const FrameDescription& query) const
 {
-    const auto place = places_.find(frame);
-    if (place == places_.end() || !last_released_ || frame > *last_released_) return std::nullopt;
-    const auto& global = place->second.global;
-    const auto cosine =
-        std::inner_product(global.begin(), global.end(), query.global.begin(), 0.0F);
-    return Candidate{frame, cosine};
+    const auto& label = places_.at(place).sensor_label;
+    auto id = to_index(place);
+    while (later ? FrameId{id} < *last_released_ : id > 0)
+    {
+        id = later ? id + 1 : id - 1;
+        const auto found = places_.find(FrameId{id});
+        if (found == places_.end() || found->second.sensor_label != label) continue;
+        const auto& global = found->second.global;
+        const auto cosine =
+            std::inner_product(global.begin(), global.end(), query.global.begin(), 0.0F);
+        return Candidate{FrameId{id}, cosine};
+    }
+    return std::nullopt;
 }
 
 void LoopDetector::check_consistency(DetectorOutcome& outcome)
@@ -192,9 +202,11 @@ void LoopDetector::check_consistency(DetectorOutcome& outcome)
 void LoopDetector::remember(FrameDescription description)
 {
     map_bytes_ += bytes_of(description.local) + description.global.size() * sizeof(float);
-    places_.emplace(
-        description.frame,
-        Place{description.timestamp, std::move(description.global), std::move(description.local)});
+    places_.emplace(description.frame,
+                    Place{description.timestamp,
+                          std::move(description.sensor_label),
+                          std::move(description.global),
+                          std::move(description.local)});
 }
 
 }  // namespace fild

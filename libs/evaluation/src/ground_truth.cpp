@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -48,10 +49,10 @@ Format format_of(const std::string& path)
         case 12:
             return Format::kitti_poses;
         default:
-            throw std::runtime_error(
-                rows[0].origin + ": " + std::to_string(rows[0].values.size()) +
-                " numbers; ground truth has 2 (QUERY CANDIDATE), or 3, 8 (TUM pose) "
-                "or 12 (KITTI pose) a line, or is a MATLAB file");
+            throw std::runtime_error(rows[0].origin + ": " + std::to_string(rows[0].values.size()) +
+                                     " numbers; ground truth has 2 (QUERY CANDIDATE), 3 (QUERY "
+                                     "CANDIDATE 0), 8 (TUM pose) "
+                                     "or 12 (KITTI pose) a line, or is a MATLAB file");
     }
 }
 
@@ -62,7 +63,10 @@ void require_same_length(const LoopLabels& labels, std::size_t frames, const std
                                  " frames, the run has " + std::to_string(frames) +
                                  "; is it the truth of this recording?");
     if (labels.earlier_frames.empty()) throw std::runtime_error("no loop in " + path);
-    for (const auto& [query, earlier] : labels.earlier_frames)
+    auto queries = std::set<std::size_t>();
+    for (const auto& labelled : labels.earlier_frames) queries.insert(labelled.first);
+    for (const auto& pair : labels.doubtful) queries.insert(pair.first);
+    for (const auto query : queries)
         if (query >= frames)
             throw std::runtime_error(path + " names frame " + std::to_string(query) +
                                      ", the run has " + std::to_string(frames) +

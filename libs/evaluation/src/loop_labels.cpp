@@ -80,7 +80,8 @@ LoopLabels read_loop_list(const std::string& path)
             pairs.push_back(pair);
     }
     auto labels = to_loop_labels(std::move(pairs), std::nullopt);
-    labels.doubtful = std::move(doubtful);
+    for (const auto& [query, candidate] : doubtful)
+        labels.doubtful.emplace(std::max(query, candidate), std::min(query, candidate));
     return labels;
 }
 

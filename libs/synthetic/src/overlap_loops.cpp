@@ -149,9 +149,11 @@ void OverlapLoops::add(double seconds,
     {
         if (!state_->is_near(query, frames[i])) continue;
         const double overlap = state_->overlap(query, depth, frames[i]);
-        if (overlap >= options.doubtful_overlap)
-            (overlap >= options.overlap ? pairs : doubtful_pairs)
-                .push_back({query_id, FrameId{i}, overlap});
+        const LoopPair pair{query_id, FrameId{i}, overlap};
+        if (overlap >= options.overlap)
+            pairs.push_back(pair);
+        else if (overlap >= options.doubtful_overlap)
+            doubtful_pairs.push_back(pair);
     }
     frames.push_back(std::move(query));
 }
@@ -175,23 +177,15 @@ void TTruthOptions::describe(OptionVisitor& visitor)
     visitor.real("max_angle_deg", max_angle_deg, 0, 180);
 }
 
-void TTruthOptions::check_between_fields() const
-{
-    if (doubtful_overlap > overlap)
-        throw std::invalid_argument(
-            "doubtful_overlap is above overlap, from which on a pair is a loop");
-}
-
 void write_loops(std::ostream& out,
                  const TTruthOptions& options,
                  const std::vector<LoopPair>& pairs,
                  const std::vector<LoopPair>& doubtful_pairs)
 {
-    out << "# query candidate (0-based camera frames; the candidate is the earlier one);\n"
-        << "# a third word 0: doubtful, neither a loop nor none\n"
+    out << "# query candidate (0-based camera frames; the candidate is the earlier one)\n"
         << "# the share `overlap` or more of the candidate's pixels is seen in the query;";
     for (const auto& [key, value] : options.values()) out << " " << key << "=" << value;
-    out << "\n";
+    out << "\n# with a third word 0, from doubtful_overlap on: neither a loop nor none\n";
     for (const auto& pair : pairs)
         out << to_index(pair.query) << " " << to_index(pair.candidate) << "\n";
     for (const auto& pair : doubtful_pairs)

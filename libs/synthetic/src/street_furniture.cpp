@@ -193,7 +193,7 @@ const std::array<CarOutline, 4>& car_outlines()
     return outlines;
 }
 
-/** One of the cars that stand in the town; no two look the same. */
+/** One of the kinds of car that stand in the town: 32, so that equal ones are rare. */
 struct CarModel
 {
     CarOutline outline;

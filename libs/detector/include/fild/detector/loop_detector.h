@@ -54,6 +54,7 @@ class LoopDetector
     struct Place
     {
         double timestamp = 0;
+        std::string sensor_label;
         GlobalDescriptor global;
         HashedFeatures local;
     };
@@ -67,7 +68,9 @@ class LoopDetector
     DetectorOutcome best_of_neighbours(const FrameDescription& query,
                                        DetectorOutcome best,
                                        StageTimes& times) const;
-    std::optional<Candidate> released_place(const FrameDescription& query, FrameId frame) const;
+    std::optional<Candidate> neighbour_of(FrameId place,
+                                          bool later,
+                                          const FrameDescription& query) const;
     void check_consistency(DetectorOutcome& outcome);
     void remember(FrameDescription description);
 

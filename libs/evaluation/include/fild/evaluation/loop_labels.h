@@ -26,7 +26,8 @@ struct LoopLabels
 {
     /** For each loop query its true earlier frames, ascending, perhaps none. */
     std::map<std::size_t, std::vector<std::size_t>> earlier_frames;
-    /** Pairs of a query and an earlier frame that are labelled as neither loops nor none. */
+    /** Pairs of a query and an earlier frame that are labelled as neither loops nor none;
+     *  in a list the later frame is the query, in whichever order it stands. */
     std::set<std::pair<std::size_t, std::size_t>> doubtful;
     std::optional<std::size_t> frames;  ///< that were labelled; none: not known (a list)
     bool transposed = false;

@@ -24,10 +24,10 @@ struct TIndexOptions : Options
     int candidates = 1;
     /** Neighbours less similar than this are not verified; cosine. The paper has no such bound. */
     double min_similarity = -1;
-    /** From the best answer on, verify the frames just before and after it too, as long as the
-     *  inliers grow: the nearest descriptor along a street is often that of a frame some metres
-     * off. Recall on the synthetic town (window:10) is
-     *  0.78 without and 0.83 with it. The paper does not. */
+    /** From the best answer on, the same camera's frames just before and after it are verified too,
+     *  as long as they are better: the nearest descriptor along a street is often that of a frame
+     *  some metres off. Recall on the synthetic town (window:10) is 0.78 without and 0.83 with it.
+     *  The paper does not. */
     bool follow_neighbours = false;
     IndexBackend backend = IndexBackend::hnsw;
     int links_per_node =

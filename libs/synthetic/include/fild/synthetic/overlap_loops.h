@@ -27,7 +27,6 @@ struct TTruthOptions : Options
 
  protected:
     void describe(OptionVisitor& visitor) override;
-    void check_between_fields() const override;
 };
 
 /** Two frames that see the same place from a near viewpoint. Value type. */

@@ -17,7 +17,7 @@ struct LapConditions
     double sun_azimuth = 0.8;  ///< rad, from x towards y: where the sun stands
     double sun_elevation = 0.8;  ///< rad, over the horizon, (0, pi/2)
     double exposure = 1;  ///< factor of all grey values
-    std::uint64_t parked_cars = 1;  ///< seed: which cars stand where
+    std::uint64_t parked_cars = 1;  ///< seed: which cars stand where, which clouds pass
 };
 
 /** A town to drive through: streets, houses, trees, lamp posts, parked cars and sky, all of it
