@@ -134,6 +134,7 @@ void run(const AppOptions& options)
               << " frames with a loop (" << made.loops << " pairs); beside it:";
     for (std::size_t i = 1; i < made.paths.size(); ++i)
         std::cout << (i > 1 ? ", " : " ") << made.paths[i];
+    if (birds_eye) std::cout << ", " << options.birds_eye_path;
     std::cout << "\n";
 }
 }  // namespace

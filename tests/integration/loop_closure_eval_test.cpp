@@ -63,7 +63,7 @@ TEST_F(LoopClosureEval, PrintsTheScore)
               "run           run, 6 frames\n"
               "ground truth  loops.txt: list of loops, 3 pairs\n"
               "protocol      exact: a loop closure is right when its query and candidate are a "
-              "labelled pair\n"
+              "labelled pair; neither right nor wrong when it is a pair labelled as doubtful\n"
               "loop queries       3  frames with a true loop\n"
               "accepted           2  loop closures\n"
               "  right            1\n"

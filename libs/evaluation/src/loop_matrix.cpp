@@ -194,7 +194,7 @@ LoopLabels read_loop_matrix(const std::string& path)
     const bool sparse = matrix->class_type == MAT_C_SPARSE;
     if (!(sparse ? see_sparse(*matrix, pairs) : see_full(*matrix, pairs)))
         throw std::runtime_error("the matrix " + name + " of " + path +
-                                 " has a cell that is not a number");
+                                 " is damaged or has a cell that is not a number");
     return to_loop_labels(std::move(pairs), matrix->dims[0]);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/evaluation/loop_truth.h"
 
+#include "fild/core/angle.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -8,8 +10,6 @@ namespace fild
 {
 namespace
 {
-constexpr double kRadiansPerDegree = 0.017453292519943295;
-
 /** Do two poses see the same place? */
 bool near_each_other(const FramePose& a, const FramePose& b, const Protocol& protocol)
 {

@@ -8,6 +8,12 @@
 
 namespace fild
 {
+namespace
+{
+constexpr const char* kDoubtful =
+    "; neither right nor wrong when it is a pair labelled as doubtful";
+}
+
 Protocol parse_protocol(const std::string& word)
 {
     Protocol protocol;
@@ -59,11 +65,11 @@ std::string rule_of(const Protocol& protocol)
     switch (protocol.kind)
     {
         case Protocol::Kind::exact:
-            rule << "its query and candidate are a labelled pair";
+            rule << "its query and candidate are a labelled pair" << kDoubtful;
             break;
         case Protocol::Kind::window:
             rule << "its candidate is at most " << protocol.window
-                 << " frames from one that is labelled for its query";
+                 << " frames from one that is labelled for its query" << kDoubtful;
             break;
         case Protocol::Kind::radius:
             rule << "its poses are at most " << protocol.radius << " m and "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/synthetic/overlap_loops.h"
 
+#include "fild/core/angle.h"
+
 #include <mrpt/poses/CPose3D.h>
 #include <opencv2/core.hpp>
 
@@ -15,7 +17,6 @@ namespace
 {
 using mrpt::poses::CPose3D;
 
-constexpr double kRadPerDeg = 0.017453292519943295;
 constexpr int kGridColumns = 40;  // of the pixels that stand for a frame
 constexpr double kDepthTolerance = 0.03;  // share of the depth ...
 constexpr double kDepthToleranceM = 0.1;  // ... plus so many metres
@@ -103,7 +104,7 @@ bool OverlapLoops::State::is_near(const SeenFrame& query, const SeenFrame& candi
     const auto& b = candidate.map_from_camera;
     return query.seconds - candidate.seconds >= options.min_age_seconds &&
            a.distanceTo(b) <= options.max_distance_m &&
-           axis_of(a).dot(axis_of(b)) >= std::cos(options.max_angle_deg * kRadPerDeg);
+           axis_of(a).dot(axis_of(b)) >= std::cos(options.max_angle_deg * kRadiansPerDegree);
 }
 
 double OverlapLoops::State::overlap(const SeenFrame& query,

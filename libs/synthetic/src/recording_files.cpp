@@ -67,7 +67,8 @@ mrpt::img::CImage RecordingFiles::add_image(const std::string& name, const cv::M
 {
     if (!images_) return {image, mrpt::img::SHALLOW_COPY};
     std::vector<uchar> bytes;
-    cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+    if (!cv::imencode(".jpg", image, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality}))
+        throw std::runtime_error("cannot compress the image " + name + " as JPEG");
     const auto path = images_->location() / name;
     std::ofstream file(path, std::ios::binary);
     file.write(reinterpret_cast<const char*>(bytes.data()),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/synthetic/route.h"
 
+#include "fild/core/angle.h"
 #include "lane_path.h"
 #include "seeded_generator.h"
 #include "smooth_noise.h"
@@ -15,7 +16,6 @@ namespace fild
 {
 namespace
 {
-constexpr double kRadPerDeg = 0.017453292519943295;
 constexpr double kLaneCentre = 1.5;  // m right of the street's centre line
 constexpr double kCornerReach = 9;  // m from the crossing of two lanes to where a corner begins
 constexpr double kLateralAcceleration = 2;  // m/s^2 in corners: a calm driver's
@@ -135,13 +135,13 @@ class Deviation
             std::atan2(options_.lane_offset_m * offset_.derivative(s), 1 - lane.curvature * offset);
         const cv::Point2d left(-std::sin(lane.heading), std::cos(lane.heading));
         const auto position = lane.position + offset * left;
-        const double heading =
-            lane.heading + sideways + options_.heading_noise_deg * kRadPerDeg * heading_.value(s);
-        const double suspension = options_.suspension_deg * kRadPerDeg;
+        const double heading = lane.heading + sideways +
+                               options_.heading_noise_deg * kRadiansPerDegree * heading_.value(s);
+        const double suspension = options_.suspension_deg * kRadiansPerDegree;
         return {position.x,
                 position.y,
                 0,
-                std::remainder(heading, 360 * kRadPerDeg),
+                std::remainder(heading, 360 * kRadiansPerDegree),
                 suspension * pitch_.value(s),
                 suspension * roll_.value(s)};
     }

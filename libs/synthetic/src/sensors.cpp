@@ -2,6 +2,7 @@
 #include "fild/synthetic/sensors.h"
 
 #include "camera_mount.h"
+#include "fild/core/angle.h"
 
 #include <mrpt/poses/CPose3D.h>
 
@@ -12,7 +13,6 @@ namespace fild
 namespace
 {
 constexpr double kRightAngle = 1.5707963267948966;
-constexpr double kRadPerDeg = 0.017453292519943295;
 }  // namespace
 
 void TSensorOptions::describe(OptionVisitor& visitor)
@@ -46,7 +46,7 @@ CameraModel camera_of(const TSensorOptions& options)
     camera.width = options.width;
     camera.height = options.height;
     camera.fx = camera.fy =
-        options.width / (2 * std::tan(options.field_of_view_deg / 2 * kRadPerDeg));
+        options.width / (2 * std::tan(options.field_of_view_deg / 2 * kRadiansPerDegree));
     camera.cx = (options.width - 1) / 2.0;  // pixel centres are at whole coordinates
     camera.cy = (options.height - 1) / 2.0;
     return camera;
@@ -55,7 +55,7 @@ CameraModel camera_of(const TSensorOptions& options)
 mrpt::poses::CPose3D robot_from_mount(const TSensorOptions& options)
 {
     const double left = options.sensor == SensorKind::stereo ? options.baseline_m / 2 : 0;
-    return {0, left, options.camera_height_m, 0, options.camera_pitch_deg * kRadPerDeg, 0};
+    return {0, left, options.camera_height_m, 0, options.camera_pitch_deg * kRadiansPerDegree, 0};
 }
 
 mrpt::poses::CPose3D mount_from_camera()

@@ -14,7 +14,7 @@ namespace fild
 /** A ground-truth file, ready to be asked. */
 struct GroundTruth
 {
-    std::string content;  ///< "loop matrix, 3474 frames, 10811 pairs"
+    std::string content;  ///< "loop matrix of 3474 frames, 10811 pairs"
     std::vector<std::string> remarks;  ///< what was found odd and how it was taken; mostly none
     std::unique_ptr<LoopTruth> truth;
 };
