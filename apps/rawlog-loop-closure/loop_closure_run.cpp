@@ -30,6 +30,7 @@ struct Gathered
     Gathered(const OutputFolder& folder, bool for_pictures)
         : frames(folder.file("frames.csv")),
           loops(folder.file("loops.csv")),
+          candidates(folder.file("candidates.csv")),
           keep_closures(for_pictures)
     {
     }
@@ -37,6 +38,7 @@ struct Gathered
     void add(const DetectorOutcome& outcome)
     {
         frames.add(outcome.verdict);
+        candidates.add(outcome.verdict.frame, outcome.considered);
         summary.add(outcome.verdict);
         timestamps.push_back(outcome.verdict.timestamp);
         if (!outcome.verdict.accepted()) return;
@@ -48,6 +50,7 @@ struct Gathered
 
     VerdictCsv frames;
     VerdictCsv loops;
+    CandidateCsv candidates;
     RunSummary summary;
     bool keep_closures;  ///< for pictures
     std::vector<double> timestamps;  ///< of every camera frame
@@ -196,6 +199,7 @@ void run_loop_closure(RunRequest request)
     summary.ended_early = read_what_can_be_read(request, reader, stream, gathered);
     gathered.frames.commit();
     gathered.loops.commit();
+    gathered.candidates.commit();
     draw_what_can_be_drawn(request, folder, gathered);
     complete_summary(request, stream, summary);
     summary.wall_seconds =

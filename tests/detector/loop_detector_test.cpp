@@ -193,10 +193,10 @@ FrameDescription part_of_place_10(std::size_t points, std::size_t frame, double 
  *  shows all, but is still in the delay queue. */
 TEST(LoopDetector, FollowsNeighboursAsLongAsTheInliersGrow)
 {
-    const auto run = [](bool follow_neighbours)
+    const auto run = [](int reach)
     {
         auto options = options_with_delay(2);
-        options.index.follow_neighbours = follow_neighbours;
+        options.candidates.neighbour_reach = reach;
         fild::LoopDetector detector(options, kDimension);
         fild::StageTimes times;
         const std::vector<std::size_t> points{30, 40, 50, 60};
@@ -208,12 +208,96 @@ TEST(LoopDetector, FollowsNeighboursAsLongAsTheInliersGrow)
         query.timestamp = 10;
         return detector.process(std::move(query), times).verdict;
     };
-    EXPECT_EQ(run(false).candidate->frame, FrameId{0});
-    const auto followed = run(true);
+    EXPECT_EQ(run(0).candidate->frame, FrameId{0});
+    const auto followed = run(1);
     EXPECT_TRUE(followed.accepted());
     EXPECT_EQ(followed.candidate->frame, FrameId{3});
-    EXPECT_GT(followed.inliers, run(false).inliers);
-    EXPECT_LT(followed.candidate->similarity, run(false).candidate->similarity);
+    EXPECT_GT(followed.inliers, run(0).inliers);
+    EXPECT_LT(followed.candidate->similarity, run(0).candidate->similarity);
+}
+
+/** Frame 2 shows less of the query's place than frame 1 and frame 3 more than both: who looks two
+ * frames ahead gets there. */
+TEST(LoopDetector, LooksBeyondAWorseNeighbourAsFarAsAsked)
+{
+    const auto found_with = [](int reach)
+    {
+        auto options = options_with_delay(2);
+        options.candidates.neighbour_reach = reach;
+        fild::LoopDetector detector(options, kDimension);
+        fild::StageTimes times;
+        const std::vector<std::size_t> points{40, 50, 30, 60};
+        for (std::size_t i = 0; i < points.size(); ++i)
+            detector.process(part_of_place_10(points[i], i, static_cast<double>(i)), times);
+        auto query = view_of(10, 0.4);
+        query.frame = FrameId{4};
+        query.timestamp = 10;
+        return detector.process(std::move(query), times).verdict.candidate->frame;
+    };
+    EXPECT_EQ(found_with(1), FrameId{1});
+    EXPECT_EQ(found_with(2), FrameId{3});
+}
+
+/** The second query's descriptor leads nowhere; the place of the first does. */
+TEST(LoopDetector, RemembersThePlaceOfTheLastVerifiedFrame)
+{
+    const auto second_query = [](int memory)
+    {
+        auto options = options_with_delay(5);
+        options.candidates.place_memory = memory;
+        fild::LoopDetector detector(options, kDimension);
+        fild::StageTimes times;
+        const std::vector<std::uint64_t> places{10, 20, 30, 10, 10};
+        const std::vector<double> timestamps{0, 1, 2, 10, 11};
+        fild::DetectorOutcome last;
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+            auto view = view_of(places[i], 0.1 * static_cast<double>(i));
+            if (i == 4) view.global = view_of(30, 0).global;
+            view.frame = FrameId{i};
+            view.timestamp = timestamps[i];
+            last = detector.process(std::move(view), times);
+        }
+        return last.verdict;
+    };
+    EXPECT_FALSE(second_query(0).accepted());
+    const auto remembered = second_query(1);
+    EXPECT_TRUE(remembered.accepted());
+    EXPECT_EQ(remembered.candidate->frame, FrameId{0});
+}
+
+TEST(LoopDetector, VerifiesOneFrameOfAPlaceAndStopsAtTheFirstThatIsGood)
+{
+    const auto checked_with = [](int place_frames, bool stop_at_first)
+    {
+        auto options = options_with_delay(5);
+        options.index.candidates = 4;
+        options.candidates.place_frames = place_frames;
+        options.candidates.stop_at_first = stop_at_first;
+        const auto outcomes = drive(options, {10, 11, 20, 21, 22, 23, 24, 25, 10});
+        EXPECT_TRUE(outcomes.back().verdict.accepted());
+        std::size_t checked = 0;
+        for (const auto& candidate : outcomes.back().considered) checked += candidate.checked;
+        return checked;
+    };
+    EXPECT_EQ(checked_with(0, false), 4U);
+    EXPECT_EQ(checked_with(1, false), 2U);
+    EXPECT_EQ(checked_with(0, true), 1U);
+}
+
+TEST(LoopDetector, TellsOfAllItLookedAt)
+{
+    auto options = options_with_delay(2);
+    options.candidates.neighbour_reach = 1;
+    const auto outcome = drive(options, {10, 11, 12, 13, 10}).back();
+    ASSERT_EQ(outcome.considered.size(), 3U);  // frames 0 to 2 are old enough
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(outcome.considered[i].rank, i + 1);
+    const auto& best = outcome.considered.front();
+    EXPECT_EQ(best.candidate.frame, FrameId{0});
+    EXPECT_TRUE(best.checked);
+    EXPECT_EQ(best.rejection, Rejection::none);
+    EXPECT_EQ(best.inliers, outcome.verdict.inliers);
+    EXPECT_EQ(best.support, outcome.verdict.support);
 }
 
 TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)

@@ -112,6 +112,26 @@ TEST(HessianMaxima, MaxKeypointsKeepsTheStrongestWithTiesInAFixedOrder)
     }
 }
 
+TEST(HessianMaxima, MinKeypointsLowersTheThresholdToATenthAndNoFurther)
+{
+    const cv::Mat image = draw_blobs({200, 200}, fild::testing::random_blobs(300, {200, 200}, 2));
+    TLocalFeatureOptions options;
+    options.hessian_threshold = 20000;
+    const auto strong = maxima(image, options).size();
+    options.hessian_threshold = 2000;
+    const auto all = maxima(image, options);
+    ASSERT_GT(all.size(), strong + 2);
+    options.hessian_threshold = 20000;
+    options.min_keypoints = static_cast<int>(strong);
+    EXPECT_EQ(maxima(image, options).size(), strong);
+    options.min_keypoints = static_cast<int>(strong) + 2;
+    const auto filled = maxima(image, options);
+    ASSERT_EQ(filled.size(), strong + 2);
+    EXPECT_EQ(filled.back().response, all[strong + 1].response);
+    options.min_keypoints = 100000;
+    EXPECT_EQ(maxima(image, options).size(), all.size());
+}
+
 TEST(HessianMaxima, AreFoundOnceHoweverManyLayersOctavesShare)
 {
     const cv::Mat image = draw_blobs({200, 200}, {{100, 100, 5, 100}});

@@ -43,6 +43,8 @@ TEST(LocalFeatureOptions, RefuseValuesOutOfRange)
     EXPECT_THAT(load_error("layers_per_octave=0\n"), HasSubstr("layers_per_octave=0"));
     EXPECT_THAT(load_error("layers_per_octave=6\n"), HasSubstr("layers_per_octave=6"));
     EXPECT_THAT(load_error("max_keypoints=-5\n"), HasSubstr("max_keypoints=-5"));
+    EXPECT_THAT(load_error("min_keypoints=9\nmax_keypoints=8\n"),
+                HasSubstr("min_keypoints=9 is above max_keypoints=8"));
 }
 
 TEST(LocalFeatureOptions, RefuseWhatIsNoValueAndUnknownKeys)

@@ -13,11 +13,7 @@ using fild::PixelPosition;
 using fild::RansacMethod;
 using fild::Rejection;
 
-struct Pixels
-{
-    std::vector<PixelPosition> query;
-    std::vector<PixelPosition> candidate;
-};
+using Pixels = fild::MatchedPixels;
 
 PixelPosition project(double x, double y, double z)
 {
@@ -66,7 +62,7 @@ fild::TVerificationOptions options_of(RansacMethod method)
 
 fild::Verification verify(const fild::TVerificationOptions& options, const Pixels& pixels)
 {
-    return fild::FundamentalVerifier(options, 1).verify(pixels.query, pixels.candidate);
+    return fild::FundamentalVerifier(options, 1).verify(pixels);
 }
 
 class EachMethod : public ::testing::TestWithParam<RansacMethod>
@@ -124,7 +120,7 @@ TEST_P(EachMethod, TakesTwoCopiesOfOneImage)
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
     {
         const fild::FundamentalVerifier verifier(options_of(GetParam()), seed);
-        const auto result = verifier.verify(pixels.query, pixels.candidate);
+        const auto result = verifier.verify(pixels);
         EXPECT_EQ(result.rejection, Rejection::none) << "seed " << seed;
         EXPECT_GE(result.inliers.size(), 150U) << "seed " << seed;
     }
@@ -133,8 +129,8 @@ TEST_P(EachMethod, TakesTwoCopiesOfOneImage)
 TEST_P(EachMethod, SurvivesDegeneratePixels)
 {
     const std::size_t count = 40;
-    const Pixels all_equal{std::vector<PixelPosition>(count, {5, 5}),
-                           std::vector<PixelPosition>(count, {7, 7})};
+    const Pixels all_equal{
+        std::vector<PixelPosition>(count, {5, 5}), std::vector<PixelPosition>(count, {7, 7}), 0};
     EXPECT_NO_THROW(verify(options_of(GetParam()), all_equal));
     Pixels on_a_line;
     for (std::size_t i = 0; i < count; ++i)
@@ -145,7 +141,8 @@ TEST_P(EachMethod, SurvivesDegeneratePixels)
     EXPECT_NO_THROW(verify(options_of(GetParam()), on_a_line));
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const Pixels not_numbers{std::vector<PixelPosition>(count, {nan, nan}),
-                             std::vector<PixelPosition>(count, {nan, nan})};
+                             std::vector<PixelPosition>(count, {nan, nan}),
+                             0};
     EXPECT_NE(verify(options_of(GetParam()), not_numbers).rejection, Rejection::none);
 }
 
@@ -156,13 +153,40 @@ INSTANTIATE_TEST_SUITE_P(FundamentalVerifier,
                                            RansacMethod::graph_cut,
                                            RansacMethod::magsac));
 
-TEST(FundamentalVerifier, WantsItsShareOfTheMatches)
+TEST(FundamentalVerifier, CountsInliersWhenNothingElseIsAsked)
+{
+    const auto result = verify({}, two_views(60, 60, 7));
+    EXPECT_EQ(result.rejection, Rejection::none);
+    EXPECT_DOUBLE_EQ(result.support, static_cast<double>(result.inliers.size()) / 20);
+}
+
+/** Of m matches, i inliers weigh (i - 7) * ((i - 7) / (m - 7))^2. */
+TEST(FundamentalVerifier, WeighsInliersByTheirShareOfTheMatches)
 {
     const auto pixels = two_views(60, 60, 7);
     fild::TVerificationOptions options;
-    options.min_inlier_ratio = 0.3;
+    options.min_weighed_inliers = 10;
+    const auto lenient = verify(options, pixels);
+    const auto beyond = static_cast<double>(lenient.inliers.size()) - 7;
+    const double weighed = beyond * (beyond / 113) * (beyond / 113);
+    EXPECT_NEAR(lenient.support, weighed / 10, 1e-9);
+    EXPECT_EQ(lenient.rejection, Rejection::none);
+    options.min_weighed_inliers = 30;
+    EXPECT_EQ(verify(options, pixels).rejection, Rejection::too_few_inliers);
+}
+
+TEST(FundamentalVerifier, AsksForMoreWhereThereAreManyKeypoints)
+{
+    auto pixels = two_views(120, 0, 9);
+    fild::TVerificationOptions options;
+    options.min_weighed_inlier_share = 0.1;
+    options.sparse_keypoints = 200;
+    pixels.keypoints = 200;  // nothing is asked of a sparse image
+    EXPECT_DOUBLE_EQ(verify(options, pixels).support,
+                     static_cast<double>(verify(options, pixels).inliers.size()) / 20);
+    pixels.keypoints = 1200;
     EXPECT_EQ(verify(options, pixels).rejection, Rejection::none);
-    options.min_inlier_ratio = 0.8;
+    pixels.keypoints = 1600;
     EXPECT_EQ(verify(options, pixels).rejection, Rejection::too_few_inliers);
 }
 

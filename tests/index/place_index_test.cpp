@@ -131,6 +131,17 @@ TEST_P(BothIndexes, AnswerMostSimilarFirstAndDuplicatesByFrame)
     EXPECT_EQ(answer[3].frame, FrameId{1});
 }
 
+TEST_P(BothIndexes, TellHowSimilarOneFrameIs)
+{
+    const auto vectors = random_unit_vectors(50, 8);
+    insert_all(vectors);
+    const auto query = random_unit_vectors(1, 9)[0];
+    for (const auto& candidate : index_->search(query, 5))
+        EXPECT_NEAR(index_->similarity(query, candidate.frame), candidate.similarity, 1e-6);
+    EXPECT_NEAR(index_->similarity(query, FrameId{49}), cosine(query, vectors[49]), 1e-5);
+    EXPECT_THROW(index_->similarity(query, FrameId{50}), std::invalid_argument);
+}
+
 TEST_P(BothIndexes, RefuseAnotherDimension)
 {
     EXPECT_THROW(index_->insert(FrameId{0}, GlobalDescriptor(kDimension + 1)),

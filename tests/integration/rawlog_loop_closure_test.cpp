@@ -39,8 +39,8 @@ constexpr const char* kConfig =
     "\nlayers = map\ninput_width = 4\ninput_height = 4\npooling = grid\n"
     "[index]\ndelay_seconds = 5\ncandidates = 16\n"
     "[hashing]\nmutual_check = true\n"
-    "[verification]\nmin_inlier_ratio = 0.6\n"
-    "[consistency]\nsure_inliers = 40\n";
+    "[verification]\nmin_weighed_inliers = 10\n"
+    "[consistency]\nconsecutive_frames = 1\n";
 
 Objects two_laps(const std::string& label = "CAMERA1")
 {
@@ -113,7 +113,8 @@ class RawlogLoopClosure : public ::testing::Test
     fild::testing::TemporaryFolder folder_;
 };
 
-const std::vector<std::string> kAllOutputs = {"frames.csv", "loops.csv", "matches", "summary.json"};
+const std::vector<std::string> kAllOutputs = {
+    "candidates.csv", "frames.csv", "loops.csv", "matches", "summary.json"};
 
 TEST_F(RawlogLoopClosure, ShowsHelpAndVersion)
 {

@@ -5,12 +5,18 @@
 
 namespace fild
 {
+void TCandidateOptions::describe(OptionVisitor& visitor)
+{
+    visitor.integer("place_frames", place_frames, 0, 1000);
+    visitor.integer("neighbour_reach", neighbour_reach, 0, 1000);
+    visitor.integer("place_memory", place_memory, 0, 1000000);
+    visitor.flag("stop_at_first", stop_at_first);
+}
+
 void TConsistencyOptions::describe(OptionVisitor& visitor)
 {
     visitor.integer("consecutive_frames", consecutive_frames, 1, 1000);
     visitor.real("max_candidate_step_seconds", max_candidate_step_seconds, 0, 1e6);
-    visitor.integer("sure_inliers", sure_inliers, 0, 1000000);
-    visitor.real("sure_inlier_share", sure_inlier_share, 0, 1);
 }
 
 void TRuntimeOptions::describe(OptionVisitor& visitor)
@@ -25,6 +31,7 @@ std::vector<std::pair<std::string, Options*>> TDetectorOptions::sections()
             {"index", &index},
             {"local_features", &local_features},
             {"hashing", &hashing},
+            {"candidates", &candidates},
             {"verification", &verification},
             {"consistency", &consistency},
             {"runtime", &runtime}};

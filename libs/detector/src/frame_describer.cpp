@@ -17,21 +17,17 @@ std::vector<PixelPosition> positions_of(const LocalFeatures& features)
 }
 }  // namespace
 
-FrameDescriber::FrameDescriber(const TDetectorOptions& options)
+FrameFeatureExtractor::FrameFeatureExtractor(const TDetectorOptions& options)
     : num_threads_(options.runtime.num_threads),
       global_extractor_(options.global_descriptor),
-      surf_extractor_(options.local_features, num_threads_),
-      hasher_(options.hashing,
-              surf_descriptor_centre(),
-              static_cast<std::uint64_t>(options.runtime.seed))
+      surf_extractor_(options.local_features, num_threads_)
 {
 }
 
-FrameDescription FrameDescriber::describe(const Frame& frame, StageTimes& times)
+FrameFeatures FrameFeatureExtractor::extract(const Frame& frame, StageTimes& times)
 {
-    FrameDescription description{
-        frame.id, frame.timestamp, frame.sensor_label, frame.defect, {}, {}};
-    if (frame.defect != Rejection::none) return description;
+    FrameFeatures features{frame.id, frame.timestamp, frame.sensor_label, frame.defect, {}, {}};
+    if (frame.defect != Rejection::none) return features;
 
     StageTimes network_times;  // of its own: StageTimes takes one caller at a time
     const auto policy = num_threads_ == 1 ? std::launch::deferred : std::launch::async;
@@ -41,18 +37,44 @@ FrameDescription FrameDescriber::describe(const Frame& frame, StageTimes& times)
                                  const StageTimer timer(network_times, "global_descriptor");
                                  return global_extractor_.extract(frame.image);
                              });
-    LocalFeatures features;
     {
         const StageTimer timer(times, "local_features");
-        features = surf_extractor_.extract(frame.image);
+        features.local = surf_extractor_.extract(frame.image);
     }
-    {
-        const StageTimer timer(times, "hashing");
-        description.local = {positions_of(features), hasher_.hash(features, num_threads_)};
-    }
-    description.global = global.get();
+    features.global = global.get();
     times.merge(network_times);
+    return features;
+}
+
+FrameHasher::FrameHasher(const TDetectorOptions& options)
+    : num_threads_(options.runtime.num_threads),
+      hasher_(options.hashing,
+              surf_descriptor_centre(),
+              static_cast<std::uint64_t>(options.runtime.seed))
+{
+}
+
+FrameDescription FrameHasher::hash(const FrameFeatures& features) const
+{
+    FrameDescription description{
+        features.frame, features.timestamp, features.sensor_label, features.defect, {}, {}};
+    if (features.defect != Rejection::none) return description;
+    description.global = features.global;
+    description.local = {positions_of(features.local), hasher_.hash(features.local, num_threads_)};
     return description;
+}
+
+FrameDescriber::FrameDescriber(const TDetectorOptions& options)
+    : extractor_(options), hasher_(options)
+{
+}
+
+FrameDescription FrameDescriber::describe(const Frame& frame, StageTimes& times)
+{
+    const auto features = extractor_.extract(frame, times);
+    if (features.defect != Rejection::none) return hasher_.hash(features);
+    const StageTimer timer(times, "hashing");
+    return hasher_.hash(features);
 }
 
 }  // namespace fild

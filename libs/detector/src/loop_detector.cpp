@@ -3,7 +3,6 @@
 #include "fild/detector/loop_detector.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -12,16 +11,14 @@ namespace fild
 {
 namespace
 {
-/** Which candidate a verdict speaks of: verified ones first, then by inliers, then by matches.
- * Equals stay in the order of the search, most similar first. */
-bool came_further(const DetectorOutcome& a, const DetectorOutcome& b)
+constexpr std::size_t kLeastAnswers = 10;  // that are told of, verified or not
+
+/** Which candidate a verdict speaks of: what speaks most for, then the one with more matches.
+ *  Equals stay in the order of the search, most similar first. */
+bool came_further(const FrameVerdict& a, const FrameVerdict& b)
 {
-    const auto rank = [](const DetectorOutcome& outcome)
-    {
-        const auto& verdict = outcome.verdict;
-        return std::make_tuple(verdict.accepted(), verdict.inliers, verdict.matches);
-    };
-    return rank(a) > rank(b);
+    return std::make_tuple(a.support, a.inliers, a.matches) >
+           std::make_tuple(b.support, b.inliers, b.matches);
 }
 
 FrameVerdict verdict_of(const FrameDescription& description, Rejection rejection)
@@ -35,6 +32,11 @@ FrameVerdict verdict_of(const FrameDescription& description, Rejection rejection
     return verdict;
 }
 
+std::uint64_t frames_between(FrameId a, FrameId b)
+{
+    return a < b ? to_index(b) - to_index(a) : to_index(a) - to_index(b);
+}
+
 std::size_t bytes_of(const HashedFeatures& features)
 {
     return features.positions.size() * sizeof(PixelPosition) +
@@ -43,10 +45,73 @@ std::size_t bytes_of(const HashedFeatures& features)
 }
 }  // namespace
 
+/** The candidates of one query: what the index answered, which were verified, and the best. */
+class LoopDetector::Trials
+{
+ public:
+    Trials(const LoopDetector& detector,
+           const FrameDescription& query,
+           const std::vector<Candidate>& answers,
+           StageTimes& times)
+        : detector_(detector), query_(query), times_(times)
+    {
+        for (const auto& answer : answers)
+            considered_.push_back({answer, considered_.size() + 1, false, 0, 0, 0, {}});
+    }
+
+    /** \return true when the candidate is the best so far; false for one that was verified before.
+     */
+    bool verify(const Candidate& candidate)
+    {
+        auto& entry = entry_of(candidate);
+        if (entry.checked) return false;
+        auto outcome = detector_.verify(query_, candidate, times_);
+        const auto& verdict = outcome.verdict;
+        entry.checked = true;
+        entry.matches = verdict.matches;
+        entry.inliers = verdict.inliers;
+        entry.support = verdict.support;
+        entry.rejection = verdict.rejection;
+        if (best_ && !came_further(verdict, best_->verdict)) return false;
+        best_ = std::move(outcome);
+        return true;
+    }
+
+    /** The best so far; null when none was verified. */
+    const FrameVerdict* best() const { return best_ ? &best_->verdict : nullptr; }
+
+    /** With no candidate verified, the most similar one is named as too unlike. */
+    DetectorOutcome outcome() &&
+    {
+        if (!best_)
+        {
+            best_ = DetectorOutcome{verdict_of(query_, Rejection::below_similarity), {}, {}, {}};
+            best_->verdict.candidate = considered_.front().candidate;
+        }
+        best_->considered = std::move(considered_);
+        return std::move(*best_);
+    }
+
+ private:
+    ConsideredCandidate& entry_of(const Candidate& candidate)
+    {
+        for (auto& entry : considered_)
+            if (entry.candidate.frame == candidate.frame) return entry;
+        considered_.push_back({candidate, 0, false, 0, 0, 0, {}});
+        return considered_.back();
+    }
+
+    const LoopDetector& detector_;
+    const FrameDescription& query_;
+    StageTimes& times_;
+    std::vector<ConsideredCandidate> considered_;
+    std::optional<DetectorOutcome> best_;
+};
+
 LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_dimension)
-    : min_similarity_(options.index.min_similarity),
-      candidates_(static_cast<std::size_t>(options.index.candidates)),
-      follow_neighbours_(options.index.follow_neighbours),
+    : index_options_(options.index),
+      candidate_options_(options.candidates),
+      min_inliers_(static_cast<std::size_t>(options.verification.min_inliers)),
       queue_(options.index),
       index_(make_place_index(
           options.index, global_dimension, static_cast<std::uint64_t>(options.runtime.seed))),
@@ -54,6 +119,7 @@ LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_d
       verifier_(options.verification, static_cast<std::uint64_t>(options.runtime.seed)),
       consistency_(options.consistency)
 {
+    candidate_options_.check();
 }
 
 DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& times)
@@ -62,7 +128,7 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
         throw std::invalid_argument("LoopDetector: frame ids must increase");
     last_frame_ = description.frame;
     if (description.defect != Rejection::none)
-        return {verdict_of(description, description.defect), {}, {}};
+        return {verdict_of(description, description.defect), {}, {}, {}};
 
     const double now = advance_clock(description.timestamp);
     insert_released(queue_.push({description.frame, now, description.global}), times);
@@ -92,36 +158,56 @@ void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& release
     }
 }
 
-DetectorOutcome LoopDetector::find_loop(const FrameDescription& query, StageTimes& times)
+DetectorOutcome LoopDetector::find_loop(const FrameDescription& query, StageTimes& times) const
 {
-    if (index_->size() == 0) return {verdict_of(query, Rejection::too_early), {}, {}};
-    std::vector<Candidate> candidates;
-    {
-        const StageTimer timer(times, "index_search");
-        candidates = index_->search(query.global, candidates_);
-    }
-    if (candidates.empty()) return {verdict_of(query, Rejection::no_candidate), {}, {}};
+    if (index_->size() == 0) return {verdict_of(query, Rejection::too_early), {}, {}, {}};
+    const auto answers = search(query, times);
+    if (answers.empty()) return {verdict_of(query, Rejection::no_candidate), {}, {}, {}};
 
-    std::optional<DetectorOutcome> furthest;
-    for (const auto& candidate : candidates)
+    Trials trials(*this, query, answers, times);
+    for (const auto& candidate : promising(query, answers))
     {
-        if (candidate.similarity < min_similarity_) break;  // most similar first
-        auto outcome = verify(query, candidate, times);
-        if (!furthest || came_further(outcome, *furthest)) furthest = std::move(outcome);
+        trials.verify(candidate);
+        if (candidate_options_.stop_at_first && trials.best()->accepted()) break;
     }
-    if (furthest)
-        return follow_neighbours_ ? best_of_neighbours(query, std::move(*furthest), times)
-                                  : std::move(*furthest);
-    DetectorOutcome unlike{verdict_of(query, Rejection::below_similarity), {}, {}};
-    unlike.verdict.candidate = candidates.front();
-    return unlike;
+    follow_neighbours(query, trials);
+    return std::move(trials).outcome();
+}
+
+std::vector<Candidate> LoopDetector::search(const FrameDescription& query, StageTimes& times) const
+{
+    const StageTimer timer(times, "index_search");
+    const auto wanted = static_cast<std::size_t>(index_options_.candidates);
+    return index_->search(query.global, std::max(wanted, kLeastAnswers));
+}
+
+std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,
+                                               const std::vector<Candidate>& answers) const
+{
+    std::vector<Candidate> chosen;
+    const auto wanted = static_cast<std::size_t>(index_options_.candidates);
+    for (std::size_t i = 0; i < std::min(wanted, answers.size()); ++i)
+    {
+        const auto shows_the_same_place = [&](const Candidate& other)
+        {
+            return frames_between(other.frame, answers[i].frame) <=
+                   static_cast<std::uint64_t>(candidate_options_.place_frames);
+        };
+        if (answers[i].similarity >= index_options_.min_similarity &&
+            std::none_of(chosen.begin(), chosen.end(), shows_the_same_place))
+            chosen.push_back(answers[i]);
+    }
+    if (last_place_ && frames_since_ < candidate_options_.place_memory)
+        chosen.insert(chosen.begin(),
+                      {*last_place_, index_->similarity(query.global, *last_place_)});
+    return chosen;
 }
 
 DetectorOutcome LoopDetector::verify(const FrameDescription& query,
                                      const Candidate& candidate,
                                      StageTimes& times) const
 {
-    DetectorOutcome outcome{verdict_of(query, Rejection::none), {}, {}};
+    DetectorOutcome outcome{verdict_of(query, Rejection::none), {}, {}, {}};
     auto& verdict = outcome.verdict;
     verdict.candidate = candidate;
     const auto& place = places_.at(candidate.frame).local;
@@ -132,44 +218,42 @@ DetectorOutcome LoopDetector::verify(const FrameDescription& query,
                 {query.local.positions[match.query], place.positions[match.candidate]});
     }
     const StageTimer timer(times, "verification");
-    std::vector<PixelPosition> in_query;
-    std::vector<PixelPosition> in_candidate;
+    MatchedPixels matched;
+    matched.keypoints = std::min(query.local.positions.size(), place.positions.size());
     for (const auto& pair : outcome.matches)
     {
-        in_query.push_back(pair.query);
-        in_candidate.push_back(pair.candidate);
+        matched.query.push_back(pair.query);
+        matched.candidate.push_back(pair.candidate);
     }
-    auto verification = verifier_.verify(in_query, in_candidate);
+    auto verification = verifier_.verify(matched);
     verdict.matches = outcome.matches.size();
     verdict.inliers = verification.inliers.size();
+    verdict.support = verification.support;
     verdict.rejection = verification.rejection;
     outcome.inliers = std::move(verification.inliers);
     return outcome;
 }
 
-DetectorOutcome LoopDetector::best_of_neighbours(const FrameDescription& query,
-                                                 DetectorOutcome best,
-                                                 StageTimes& times) const
+void LoopDetector::follow_neighbours(const FrameDescription& query, Trials& trials) const
 {
+    if (trials.best() == nullptr || trials.best()->inliers < min_inliers_) return;
     for (const bool later : {false, true})
     {
-        const auto start = best.verdict.candidate->frame;
-        while (best.verdict.inliers > 0)
+        auto frame = trials.best()->candidate->frame;
+        for (int not_better = 0; not_better < candidate_options_.neighbour_reach;)
         {
-            const auto neighbour = neighbour_of(best.verdict.candidate->frame, later, query);
-            if (!neighbour || neighbour->similarity < min_similarity_) break;
-            auto outcome = verify(query, *neighbour, times);
-            if (!came_further(outcome, best)) break;
-            best = std::move(outcome);
+            const auto next = neighbour_of(frame, later);
+            if (!next) break;
+            frame = *next;
+            const Candidate neighbour{frame, index_->similarity(query.global, frame)};
+            const bool better =
+                neighbour.similarity >= index_options_.min_similarity && trials.verify(neighbour);
+            not_better = better ? 0 : not_better + 1;
         }
-        if (best.verdict.candidate->frame != start) break;  // the other way leads back
     }
-    return best;
 }
 
-std::optional<Candidate> LoopDetector::neighbour_of(FrameId place,
-                                                    bool later,
-                                                    const FrameDescription& query) const
+std::optional<FrameId> LoopDetector::neighbour_of(FrameId place, bool later) const
 {
     const auto& label = places_.at(place).sensor_label;
     auto id = to_index(place);
@@ -177,11 +261,7 @@ std::optional<Candidate> LoopDetector::neighbour_of(FrameId place,
     {
         id = later ? id + 1 : id - 1;
         const auto found = places_.find(FrameId{id});
-        if (found == places_.end() || found->second.sensor_label != label) continue;
-        const auto& global = found->second.global;
-        const auto cosine =
-            std::inner_product(global.begin(), global.end(), query.global.begin(), 0.0F);
-        return Candidate{FrameId{id}, cosine};
+        if (found != places_.end() && found->second.sensor_label == label) return FrameId{id};
     }
     return std::nullopt;
 }
@@ -192,10 +272,12 @@ void LoopDetector::check_consistency(DetectorOutcome& outcome)
     if (!verdict.accepted())
     {
         consistency_.add_unverified();
+        ++frames_since_;
         return;
     }
-    const auto& place = places_.at(verdict.candidate->frame);
-    if (!consistency_.add_verified(place.timestamp, verdict.inliers, verdict.keypoints))
+    last_place_ = verdict.candidate->frame;
+    frames_since_ = 0;
+    if (!consistency_.add_verified(places_.at(*last_place_).timestamp))
         verdict.rejection = Rejection::not_consistent_yet;
 }
 
@@ -205,7 +287,6 @@ void LoopDetector::remember(FrameDescription description)
     places_.emplace(description.frame,
                     Place{description.timestamp,
                           std::move(description.sensor_label),
-                          std::move(description.global),
                           std::move(description.local)});
 }
 

@@ -20,6 +20,7 @@ using Octave = std::vector<HessianLayer>;
 
 /** Rows that one task of a thread works on. */
 constexpr int kRowsPerBand = 32;
+constexpr float kWeaker = 10;  // how far the threshold is lowered for min_keypoints
 
 /** Masks of octave o grow by 6 * 2^o pixels: 9 15 21 27, then 15 27 39 51, 27 51 75 99, ... */
 BoxMask mask_of(int octave, int layer)
@@ -188,14 +189,12 @@ bool is_stronger(const Keypoint& a, const Keypoint& b)
     return std::make_tuple(-a.response, a.y, a.x, a.size) <
            std::make_tuple(-b.response, b.y, b.x, b.size);
 }
-}  // namespace
-
-std::vector<Keypoint> find_hessian_maxima(const IntegralImage& integral,
-                                          const TLocalFeatureOptions& options,
-                                          int num_threads)
+/** Maxima of the determinant above the threshold in all layers, strongest first. */
+std::vector<Keypoint> maxima_above(float threshold,
+                                   const std::vector<Octave>& pyramid,
+                                   const IntegralImage& integral,
+                                   int num_threads)
 {
-    const auto pyramid = build_pyramid(integral, options, num_threads);
-    const auto threshold = static_cast<float>(options.hessian_threshold);
     std::vector<Keypoint> keypoints;
     for (const auto* middle : middle_layers(pyramid))
     {
@@ -213,6 +212,23 @@ std::vector<Keypoint> find_hessian_maxima(const IntegralImage& integral,
         for (const auto& band : found) keypoints.insert(keypoints.end(), band.begin(), band.end());
     }
     std::sort(keypoints.begin(), keypoints.end(), is_stronger);
+    return keypoints;
+}
+}  // namespace
+
+std::vector<Keypoint> find_hessian_maxima(const IntegralImage& integral,
+                                          const TLocalFeatureOptions& options,
+                                          int num_threads)
+{
+    const auto pyramid = build_pyramid(integral, options, num_threads);
+    const auto threshold = static_cast<float>(options.hessian_threshold);
+    auto keypoints = maxima_above(threshold, pyramid, integral, num_threads);
+    const auto wanted = static_cast<std::size_t>(options.min_keypoints);
+    if (keypoints.size() < wanted)
+    {
+        keypoints = maxima_above(threshold / kWeaker, pyramid, integral, num_threads);
+        if (keypoints.size() > wanted) keypoints.resize(wanted);
+    }
     const auto limit = static_cast<std::size_t>(options.max_keypoints);
     if (limit > 0 && keypoints.size() > limit) keypoints.resize(limit);
     return keypoints;

@@ -4,6 +4,7 @@
 
 #include <opencv2/calib3d.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -61,6 +62,16 @@ Verification without_motion(const std::vector<PixelPosition>& query,
     return result;
 }
 
+/** See TVerificationOptions::min_weighed_inliers. */
+double weighed_inliers(std::size_t inliers, std::size_t matches)
+{
+    constexpr std::size_t kMatchesOfAnyModel = 7;
+    if (inliers <= kMatchesOfAnyModel) return 0;
+    const auto beyond = static_cast<double>(inliers - kMatchesOfAnyModel);
+    const double share = beyond / static_cast<double>(matches - kMatchesOfAnyModel);
+    return beyond * share * share;
+}
+
 std::vector<cv::Point2f> to_points(const std::vector<PixelPosition>& pixels)
 {
     std::vector<cv::Point2f> points;
@@ -76,37 +87,51 @@ FundamentalVerifier::FundamentalVerifier(const TVerificationOptions& options, st
     options_.check();
 }
 
-Verification FundamentalVerifier::verify(const std::vector<PixelPosition>& query,
-                                         const std::vector<PixelPosition>& candidate) const
+Verification FundamentalVerifier::verify(const MatchedPixels& matched) const
 {
-    if (query.size() != candidate.size())
+    const auto matches = matched.query.size();
+    if (matches != matched.candidate.size())
         throw std::invalid_argument("FundamentalVerifier: unlike numbers of pixels");
-    Verification result;
-    const auto wanted = static_cast<std::size_t>(options_.min_inliers);
-    if (query.size() < wanted)
+    if (matches < static_cast<std::size_t>(options_.min_inliers))
     {
-        result.rejection = Rejection::too_few_matches;
-        return result;
+        Verification too_few;
+        too_few.rejection = Rejection::too_few_matches;
+        return too_few;
     }
+    auto result = fit(matched);
+    if (result.rejection != Rejection::none) return result;
+    result.support = support_of(result.inliers.size(), matches, matched.keypoints);
+    if (result.support < 1) result.rejection = Rejection::too_few_inliers;
+    return result;
+}
+
+Verification FundamentalVerifier::fit(const MatchedPixels& matched) const
+{
     std::vector<unsigned char> is_inlier;
-    const cv::Mat f = cv::findFundamentalMat(to_points(query),
-                                             to_points(candidate),
+    const cv::Mat f = cv::findFundamentalMat(to_points(matched.query),
+                                             to_points(matched.candidate),
                                              is_inlier,
                                              usac_parameters(options_, random_state_));
-    if (f.rows == 3 && f.cols == 3)
-    {
-        result.candidate_from_query_f = cv::Matx33d(f);
-        for (std::size_t k = 0; k < is_inlier.size(); ++k)
-            if (is_inlier[k] != 0) result.inliers.push_back(k);
-    }
-    else
-        result = without_motion(query, candidate, options_.max_epipolar_error_px);
-    if (result.rejection != Rejection::none) return result;
-    const auto share =
-        static_cast<double>(result.inliers.size()) / static_cast<double>(query.size());
-    if (result.inliers.size() < wanted || share < options_.min_inlier_ratio)
-        result.rejection = Rejection::too_few_inliers;
+    if (f.rows != 3 || f.cols != 3)
+        return without_motion(matched.query, matched.candidate, options_.max_epipolar_error_px);
+    Verification result;
+    result.candidate_from_query_f = cv::Matx33d(f);
+    for (std::size_t k = 0; k < is_inlier.size(); ++k)
+        if (is_inlier[k] != 0) result.inliers.push_back(k);
     return result;
+}
+
+double FundamentalVerifier::support_of(std::size_t inliers,
+                                       std::size_t matches,
+                                       std::size_t keypoints) const
+{
+    const double by_count = static_cast<double>(inliers) / options_.min_inliers;
+    const double beyond_sparse = std::max(
+        0.0, static_cast<double>(keypoints) - static_cast<double>(options_.sparse_keypoints));
+    const double asked =
+        std::max(options_.min_weighed_inliers, options_.min_weighed_inlier_share * beyond_sparse);
+    if (asked == 0) return by_count;
+    return std::min(by_count, weighed_inliers(inliers, matches) / asked);
 }
 
 }  // namespace fild

@@ -32,4 +32,14 @@ std::vector<Candidate> ExactIndex::search(const GlobalDescriptor& query, std::si
     return candidates;
 }
 
+double ExactIndex::similarity(const GlobalDescriptor& query, FrameId frame) const
+{
+    require_dimension(query, dimension_);
+    const auto row = std::find(frames_.rbegin(), frames_.rend(), frame);
+    if (row == frames_.rend()) throw_not_in_index(frame);
+    const auto i = static_cast<std::size_t>(frames_.rend() - row) - 1;
+    return std::inner_product(
+        query.begin(), query.end(), descriptors_.data() + i * dimension_, 0.0F);
+}
+
 }  // namespace fild

@@ -70,6 +70,17 @@ std::vector<Candidate> HnswIndex::search(const GlobalDescriptor& query, std::siz
     return candidates;
 }
 
+double HnswIndex::similarity(const GlobalDescriptor& query, FrameId frame) const
+{
+    require_dimension(query, graph_->dimension);
+    auto& hnsw = graph_->hnsw;
+    const auto found = hnsw.label_lookup_.find(to_index(frame));
+    if (found == hnsw.label_lookup_.end()) throw_not_in_index(frame);
+    const auto* descriptor = hnsw.getDataByInternalId(found->second);
+    return 1.0 -
+           static_cast<double>(hnsw.fstdistfunc_(query.data(), descriptor, hnsw.dist_func_param_));
+}
+
 std::size_t HnswIndex::size() const
 {
     return graph_->hnsw.cur_element_count;

@@ -9,7 +9,8 @@ void TIndexOptions::describe(OptionVisitor& visitor)
     visitor.real("frame_rate", frame_rate, 0, 1e4);
     visitor.integer("candidates", candidates, 1, 1000);
     visitor.real("min_similarity", min_similarity, -1, 1);
-    visitor.flag("follow_neighbours", follow_neighbours);
+    visitor.integer("whiten_from", whiten_from, 0, 1000000);
+    visitor.real("whitening_shrinkage", whitening_shrinkage, 1e-3, 1e6);
     visitor.choice<IndexBackend>(
         "backend", backend, {{"hnsw", IndexBackend::hnsw}, {"exact", IndexBackend::exact}});
     visitor.integer("links_per_node", links_per_node, 2, 200);

@@ -29,7 +29,7 @@ std::string field(const std::string& text)
 VerdictCsv::VerdictCsv(const std::string& path) : file_(path)
 {
     file_.stream() << "frame,timestamp,sensor_label,keypoints,candidate,similarity,matches,inliers,"
-                      "accepted,rejection\n";
+                      "accepted,rejection,support\n";
 }
 
 void VerdictCsv::add(const FrameVerdict& verdict)
@@ -42,7 +42,29 @@ void VerdictCsv::add(const FrameVerdict& verdict)
     else
         out << ',';
     out << ',' << verdict.matches << ',' << verdict.inliers << ',' << (verdict.accepted() ? 1 : 0)
-        << ',' << to_word(verdict.rejection) << '\n';
+        << ',' << to_word(verdict.rejection) << ',' << fixed6(verdict.support) << '\n';
+}
+
+CandidateCsv::CandidateCsv(const std::string& path) : file_(path)
+{
+    file_.stream() << "frame,rank,candidate,similarity,checked,matches,inliers,rejection,support\n";
+}
+
+void CandidateCsv::add(FrameId frame, const std::vector<ConsideredCandidate>& considered)
+{
+    auto& out = file_.stream();
+    for (const auto& [candidate, rank, checked, matches, inliers, support, rejection] : considered)
+    {
+        out << to_index(frame) << ',';
+        if (rank > 0) out << rank;
+        out << ',' << to_index(candidate.frame) << ',' << fixed6(candidate.similarity) << ','
+            << (checked ? 1 : 0) << ',';
+        if (checked)
+            out << matches << ',' << inliers << ',' << to_word(rejection) << ',' << fixed6(support);
+        else
+            out << ",,,";
+        out << '\n';
+    }
 }
 
 }  // namespace fild

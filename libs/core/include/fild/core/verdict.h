@@ -35,7 +35,7 @@ enum class Rejection
     too_few_matches,  ///< fewer matches than a fundamental matrix needs, or than the inliers asked
                       ///< for
     no_model,  ///< RANSAC found no fundamental matrix
-    too_few_inliers,  ///< fewer than tau, or too small a share of the matches
+    too_few_inliers,  ///< fewer than tau, or they weigh too little
     not_consistent_yet  ///< verified, but not beta frames in a row
 };
 
@@ -63,9 +63,23 @@ struct FrameVerdict
     std::optional<Candidate> candidate;
     std::size_t matches = 0;  ///< after the ratio test, with `candidate`
     std::size_t inliers = 0;  ///< of those, in agreement with the fundamental matrix
+    double support =
+        0;  ///< for `candidate`, as a multiple of what is asked for: verified from 1 on
     Rejection rejection = Rejection::none;
 
     bool accepted() const { return rejection == Rejection::none; }
+};
+
+/** What became of one earlier frame that was looked at for a query: one row of candidates.csv. */
+struct ConsideredCandidate
+{
+    Candidate candidate;
+    std::size_t rank = 0;  ///< among the answers of the index, 1: most similar; 0: not among them
+    bool checked = false;  ///< matched and verified; else what follows says nothing
+    std::size_t matches = 0;
+    std::size_t inliers = 0;
+    double support = 0;
+    Rejection rejection = Rejection::none;  ///< none: verified
 };
 
 }  // namespace fild

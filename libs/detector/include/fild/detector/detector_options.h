@@ -14,6 +14,28 @@
 
 namespace fild
 {
+/** Section [candidates]: which earlier frames are verified for a query beyond the nearest
+ * neighbours of its descriptor. With the defaults nothing but those, as in the paper. */
+struct TCandidateOptions : Options
+{
+    /** Of nearest neighbours at most so many frames apart only the most similar is verified: they
+     *  show one place, and neighbour_reach finds the best of its frames. 0: all are. */
+    int place_frames = 0;
+    /** From the best candidate on, frames of the same camera before and after it are verified too,
+     *  for as long as one of the next so many is better: the nearest descriptor along a street is
+     *  often that of a frame some metres off. 0: none. */
+    int neighbour_reach = 0;
+    /** The place where the last verified frame was is a candidate too, for so many frames: who has
+     *  come back to a street follows it for a while. 0: it is not. */
+    int place_memory = 0;
+    /** Candidates are verified, most promising first, until one is good; otherwise all are, and the
+     *  best counts. */
+    bool stop_at_first = false;
+
+ protected:
+    void describe(OptionVisitor& visitor) override;
+};
+
 /** Section [consistency]: when verified frames in a row make a loop closure. */
 struct TConsistencyOptions : Options
 {
@@ -21,13 +43,6 @@ struct TConsistencyOptions : Options
     /** Their candidates must follow one another within this many seconds of the recording, so that
      * a row cannot be made of different wrong places. 0: any candidates, as in the paper. */
     double max_candidate_step_seconds = 0;
-    /** A frame verified with at least so many inliers needs no row: the first frame of a return is
-     *  found too. 0: every frame needs one, as in the paper. */
-    int sure_inliers = 0;
-    /** ... and only when they are at least this share of its keypoints. In an image full of texture
-     *  one house that looks like another gives many inliers, yet few of all: 76 of 1,950 keypoints
-     *  on the synthetic town, where true returns have 444 in the median. */
-    double sure_inlier_share = 0;
 
  protected:
     void describe(OptionVisitor& visitor) override;
@@ -50,6 +65,7 @@ struct TDetectorOptions
     TIndexOptions index;
     TLocalFeatureOptions local_features;
     THashingOptions hashing;
+    TCandidateOptions candidates;
     TVerificationOptions verification;
     TConsistencyOptions consistency;
     TRuntimeOptions runtime;

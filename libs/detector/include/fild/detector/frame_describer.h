@@ -11,6 +11,18 @@
 
 namespace fild
 {
+/** What is computed from a frame's pixels, before anything is hashed. Floating point local
+ *  descriptors take half a kilobyte each: of use to hash them in several ways, not to be kept. */
+struct FrameFeatures
+{
+    FrameId frame{};
+    double timestamp = 0;  ///< seconds since the UNIX epoch
+    std::string sensor_label;
+    Rejection defect = Rejection::none;  ///< as in Frame; there are no features then
+    GlobalDescriptor global;
+    LocalFeatures local;
+};
+
 /** All that the detector needs of a frame; the image itself is no longer needed. */
 struct FrameDescription
 {
@@ -22,10 +34,41 @@ struct FrameDescription
     HashedFeatures local;
 };
 
-/** Describes frames, FILD (IROS 2019) section III-A: the global descriptor by MobileNetV2, local
- *  features by SURF turned into binary codes. Only codes and keypoint positions leave here, never
- *  floating point local descriptors. Network and SURF run side by side when num_threads is not 1,
- * with the same result. Not thread-safe: one caller at a time. */
+/** Features of frames, FILD (IROS 2019) section III-A: the global descriptor by MobileNetV2, local
+ *  features by SURF. Network and SURF run side by side when num_threads is not 1, with the same
+ *  result. Not thread-safe: one caller at a time. */
+class FrameFeatureExtractor
+{
+ public:
+    /** \throw std::runtime_error as GlobalDescriptorExtractor. */
+    explicit FrameFeatureExtractor(const TDetectorOptions& options);
+
+    /** \param times receives "global_descriptor" and "local_features". */
+    FrameFeatures extract(const Frame& frame, StageTimes& times);
+
+    std::size_t global_dimension() const { return global_extractor_.dimension(); }
+
+ private:
+    int num_threads_;
+    GlobalDescriptorExtractor global_extractor_;
+    SurfExtractor surf_extractor_;
+};
+
+/** Turns features into what the detector keeps: of local features binary codes and positions only.
+ *  Const members may run concurrently. */
+class FrameHasher
+{
+ public:
+    explicit FrameHasher(const TDetectorOptions& options);
+
+    FrameDescription hash(const FrameFeatures& features) const;
+
+ private:
+    int num_threads_;
+    CodeHasher hasher_;
+};
+
+/** Describes frames: features, then codes. Not thread-safe: one caller at a time. */
 class FrameDescriber
 {
  public:
@@ -35,13 +78,11 @@ class FrameDescriber
     /** \param times receives "global_descriptor", "local_features" and "hashing". */
     FrameDescription describe(const Frame& frame, StageTimes& times);
 
-    std::size_t global_dimension() const { return global_extractor_.dimension(); }
+    std::size_t global_dimension() const { return extractor_.global_dimension(); }
 
  private:
-    int num_threads_;
-    GlobalDescriptorExtractor global_extractor_;
-    SurfExtractor surf_extractor_;
-    CodeHasher hasher_;
+    FrameFeatureExtractor extractor_;
+    FrameHasher hasher_;
 };
 
 }  // namespace fild

@@ -25,6 +25,9 @@ struct DetectorOutcome
     FrameVerdict verdict;
     std::vector<PixelPair> matches;  ///< with verdict.candidate, after the ratio test
     std::vector<std::size_t> inliers;  ///< indices into `matches`
+    /** The nearest answers of the index, at least ten if there are, most similar first, then the
+     *  other frames that were verified, in that order. */
+    std::vector<ConsideredCandidate> considered;
 };
 
 /** The FILD pipeline, An et al., IROS 2019, Figure 2: finds for each frame the earlier frame that
@@ -55,28 +58,27 @@ class LoopDetector
     {
         double timestamp = 0;
         std::string sensor_label;
-        GlobalDescriptor global;
         HashedFeatures local;
     };
+    class Trials;
 
     double advance_clock(double timestamp);
     void insert_released(const std::vector<DelayQueue::Entry>& released, StageTimes& times);
-    DetectorOutcome find_loop(const FrameDescription& query, StageTimes& times);
+    std::vector<Candidate> search(const FrameDescription& query, StageTimes& times) const;
+    DetectorOutcome find_loop(const FrameDescription& query, StageTimes& times) const;
+    std::vector<Candidate> promising(const FrameDescription& query,
+                                     const std::vector<Candidate>& answers) const;
     DetectorOutcome verify(const FrameDescription& query,
                            const Candidate& candidate,
                            StageTimes& times) const;
-    DetectorOutcome best_of_neighbours(const FrameDescription& query,
-                                       DetectorOutcome best,
-                                       StageTimes& times) const;
-    std::optional<Candidate> neighbour_of(FrameId place,
-                                          bool later,
-                                          const FrameDescription& query) const;
+    void follow_neighbours(const FrameDescription& query, Trials& trials) const;
+    std::optional<FrameId> neighbour_of(FrameId place, bool later) const;
     void check_consistency(DetectorOutcome& outcome);
     void remember(FrameDescription description);
 
-    double min_similarity_;
-    std::size_t candidates_;
-    bool follow_neighbours_;
+    TIndexOptions index_options_;
+    TCandidateOptions candidate_options_;
+    std::size_t min_inliers_;
     DelayQueue queue_;
     std::unique_ptr<PlaceIndex> index_;
     CodeMatcher matcher_;
@@ -89,6 +91,8 @@ class LoopDetector
     std::optional<double> last_timestamp_;
     std::optional<FrameId> last_frame_;
     std::optional<FrameId> last_released_;  ///< by the delay queue
+    std::optional<FrameId> last_place_;  ///< the candidate that was verified last
+    int frames_since_ = 0;  ///< it was
     std::size_t clock_jumps_ = 0;
 };
 

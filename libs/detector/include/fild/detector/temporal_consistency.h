@@ -3,8 +3,6 @@
 
 #include "fild/detector/detector_options.h"
 
-#include <cstddef>
-
 namespace fild
 {
 /** Accepts a verified frame only at the end of beta verified frames in a row, FILD (IROS 2019)
@@ -14,21 +12,16 @@ class TemporalConsistency
  public:
     explicit TemporalConsistency(const TConsistencyOptions& options);
 
-    /** The current frame, with so many keypoints, was verified with so many inliers against a
-     *  candidate seen at `candidate_time`, seconds. \return true when it closes a row of beta, or
-     *  is sure by itself. */
-    bool add_verified(double candidate_time, std::size_t inliers, std::size_t keypoints);
+    /** The current frame was verified against a candidate seen at `candidate_time`, seconds.
+     *  \return true when it closes a row of beta. */
+    bool add_verified(double candidate_time);
 
     /** The current frame was not verified: the row is broken. */
     void add_unverified() { row_ = 0; }
 
  private:
-    bool sure_by_itself(std::size_t inliers, std::size_t keypoints) const;
-
     int consecutive_frames_;
     double max_candidate_step_seconds_;
-    std::size_t sure_inliers_;  ///< 0: no frame is sure by itself
-    double sure_inlier_share_;
     int row_ = 0;
     double last_candidate_time_ = 0;
 };

@@ -22,11 +22,16 @@ struct TLocalFeatureOptions : Options
     /** U-SURF: no orientation is sought, every angle is 0. Quicker, and more distinctive for a
      *  camera that never rolls by more than some 15 degrees. */
     bool upright = false;
+    /** An image with fewer keypoints is searched again down to a tenth of hessian_threshold, and
+     * the strongest so many are kept: a blank wall, a dark corner. 0: it is not, as in the paper.
+     */
+    int min_keypoints = 0;
     /** At most so many keypoints an image, those with the largest determinant; 0: all. */
     int max_keypoints = 0;
 
  protected:
     void describe(OptionVisitor& visitor) override;
+    void check_between_fields() const override;
 };
 
 }  // namespace fild

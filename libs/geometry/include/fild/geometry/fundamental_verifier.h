@@ -21,8 +21,20 @@ struct Verification
     /** none when verified, else too_few_matches, no_model or too_few_inliers. */
     Rejection rejection = Rejection::none;
     std::vector<std::size_t> inliers;  ///< indices of the matches that agree, ascending
+    /** What speaks for the pair as a multiple of what is asked for: verified from 1 on. The least
+     * of inliers / min_inliers and weighed inliers / what is asked of those. */
+    double support = 0;
     /** F with candidate' F query = 0 for homogeneous pixels, when RANSAC found one. */
     std::optional<cv::Matx33d> candidate_from_query_f;
+};
+
+/** The keypoints of two images that are taken for the same points: pixel k of one image matched
+ * with pixel k of the other. */
+struct MatchedPixels
+{
+    std::vector<PixelPosition> query;
+    std::vector<PixelPosition> candidate;
+    std::size_t keypoints = 0;  ///< of whichever image has fewer, matched or not
 };
 
 /** Checks that matched pixels of two images are views of one rigid scene: a fundamental matrix by
@@ -34,15 +46,16 @@ class FundamentalVerifier
     /** \param seed of the random samples; the same seed and matches give the same answer. */
     FundamentalVerifier(const TVerificationOptions& options, std::uint64_t seed);
 
-    /** \param query,candidate  pixel k of one image matched with pixel k of the other.
-     *  Where RANSAC finds no model and most matches have not moved, the camera has not either: they
+    /** Where RANSAC finds no model and most matches have not moved, the camera has not either: they
      * are the inliers (two copies of one image are a loop, too). Fewer than tau matches are not
      * looked at: they cannot hold tau inliers. \throw std::invalid_argument when the sizes differ.
      */
-    Verification verify(const std::vector<PixelPosition>& query,
-                        const std::vector<PixelPosition>& candidate) const;
+    Verification verify(const MatchedPixels& matched) const;
 
  private:
+    Verification fit(const MatchedPixels& matched) const;
+    double support_of(std::size_t inliers, std::size_t matches, std::size_t keypoints) const;
+
     TVerificationOptions options_;
     int random_state_;
 };

@@ -19,6 +19,7 @@ class HnswIndex : public PlaceIndex
 
     void insert(FrameId frame, const GlobalDescriptor& descriptor) override;
     std::vector<Candidate> search(const GlobalDescriptor& query, std::size_t count) const override;
+    double similarity(const GlobalDescriptor& query, FrameId frame) const override;
     std::size_t size() const override;
 
  private:

@@ -24,11 +24,12 @@ struct TIndexOptions : Options
     int candidates = 1;
     /** Neighbours less similar than this are not verified; cosine. The paper has no such bound. */
     double min_similarity = -1;
-    /** From the best answer on, the same camera's frames just before and after it are verified too,
-     *  as long as they are better: the nearest descriptor along a street is often that of a frame
-     *  some metres off. Recall on the synthetic town (window:10) is 0.78 without and 0.83 with it.
-     *  The paper does not. */
-    bool follow_neighbours = false;
+    /** From so many frames in the map on, descriptors are compared after what all of them have in
+     *  common has been taken out, see WhitenedIndex. 0: never, as in the paper. */
+    int whiten_from = 0;
+    /** So many times the mean variance is added to each variance when that is learnt: the more, the
+     *  less is taken out. */
+    double whitening_shrinkage = 10;
     IndexBackend backend = IndexBackend::hnsw;
     int links_per_node =
         48;  ///< M of the HNSW graph, links of a node in each layer above the lowest

@@ -30,6 +30,10 @@ class PlaceIndex
     virtual std::vector<Candidate> search(const GlobalDescriptor& query,
                                           std::size_t count) const = 0;
 
+    /** How similar a frame of the index is to the query: what search() would say of it.
+     *  \throw std::invalid_argument as insert(), or when the frame is not in the index. */
+    virtual double similarity(const GlobalDescriptor& query, FrameId frame) const = 0;
+
     virtual std::size_t size() const = 0;
 };
 
