@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // loop-closure-eval as its user sees it.
+#include "rawlog/drawn_rawlog.h"
 #include "run_command.h"
 #include "temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <mrpt/obs/CObservationRobotPose.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -222,6 +225,32 @@ TEST_F(LoopClosureEval, ComparesTrajectoriesWithPoses)
     EXPECT_EQ(
         run("--run run --ground-truth loops.txt --trajectory run/trajectory_input.tum").exit_code,
         2);
+}
+
+// The robot drives two metres in 20 s, waits as long, and drives back.
+TEST_F(LoopClosureEval, ScoresByThePosesInARawlog)
+{
+    fild::testing::Objects poses;
+    for (int seconds = 0; seconds <= 60; seconds += 5)
+    {
+        auto pose = mrpt::obs::CObservationRobotPose::Create();
+        pose->timestamp = mrpt::Clock::fromDouble(seconds);
+        pose->sensorLabel = "MOCAP";
+        pose->pose.mean.x(0.1 * std::min({seconds, 20, 60 - seconds}));
+        poses.push_back(pose);
+    }
+    fild::testing::write_gz(folder_.path("drive.rawlog"), poses);
+    const auto finished =
+        run("--run run --ground-truth drive.rawlog --truth-sensor MOCAP --protocol radius:1 "
+            "--min-age 35 -o out");
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_THAT(finished.out, HasSubstr("robot poses 'MOCAP' of 6 frames"));
+    EXPECT_EQ(json()["loop_queries"], 2);
+    EXPECT_EQ(json()["right"], 1);
+    EXPECT_EQ(json()["wrong"], 1);
+    EXPECT_EQ(run("--run run --ground-truth drive.rawlog").exit_code, 2);
+    EXPECT_EQ(run("--run run --ground-truth drive.rawlog --truth-sensor GPS -p radius:1").exit_code,
+              1);
 }
 
 TEST_F(LoopClosureEval, RefusesRunsOfOtherRecordings)
