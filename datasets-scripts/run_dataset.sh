@@ -140,7 +140,8 @@ convert() {
 # is set. The scores of an earlier run go, as its results do.
 images_dir=
 find_loops() {
-  rm -f "$output"/evaluation/*/{evaluation.json,wrong_loops.csv}
+  rm -f "$output"/evaluation/*/{evaluation.{json,tex},precision_recall.svg} \
+    "$output"/evaluation/*/{wrong_loops,missed_loops,curve_inliers,curve_similarity,stretches,runs}.csv
   [ ! -d "$output/evaluation" ] || find "$output/evaluation" -depth -type d -empty -delete
   run_app rawlog-loop-closure --rawlog "$rawlog" --config "$config" --output "$output" \
     ${images_dir:+--set "input.images_dir=$images_dir"}

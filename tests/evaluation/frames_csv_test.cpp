@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 
 const std::string kHeader =
     "frame,timestamp,sensor_label,keypoints,candidate,similarity,matches,inliers,accepted,"
-    "rejection\n";
+    "rejection,support\n";
 
 std::vector<fild::FrameVerdict> read(const std::string& text)
 {
@@ -72,14 +72,15 @@ TEST(ReadFramesCsv, RefusesWhatIsNoFramesCsv)
 
 TEST(ReadFramesCsv, RefusesRowsThatAreNoVerdicts)
 {
-    const std::string good = "0,0,C,10,,,0,0,0,too_early\n";
+    const std::string good = "0,0,C,10,,,0,0,0,too_early,0\n";
     EXPECT_THAT(error_of(good + "1,1,C,10,0\n"), HasSubstr("line 3: 5 columns"));
-    EXPECT_THAT(error_of(good + "2,1,C,10,,,0,0,0,too_early\n"), HasSubstr("frame 1 is expected"));
-    EXPECT_THAT(error_of("0,now,C,10,,,0,0,0,too_early\n"), HasSubstr("'now' is not a number"));
-    EXPECT_THAT(error_of("0,0,C,10,,,0,0,0,dull\n"), HasSubstr("'dull'"));
-    EXPECT_THAT(error_of("0,0,C,10,,,0,0,1,too_early\n"), HasSubstr("contradicts"));
-    EXPECT_THAT(error_of("0,0,C,10,,,0,0,1,\n"), HasSubstr("without a candidate"));
-    EXPECT_THAT(error_of(good + "1,1,C,10,1,0.5,9,9,1,\n"), HasSubstr("not an earlier frame"));
+    EXPECT_THAT(error_of(good + "2,1,C,10,,,0,0,0,too_early,0\n"),
+                HasSubstr("frame 1 is expected"));
+    EXPECT_THAT(error_of("0,now,C,10,,,0,0,0,too_early,0\n"), HasSubstr("'now' is not a number"));
+    EXPECT_THAT(error_of("0,0,C,10,,,0,0,0,dull,0\n"), HasSubstr("'dull'"));
+    EXPECT_THAT(error_of("0,0,C,10,,,0,0,1,too_early,0\n"), HasSubstr("contradicts"));
+    EXPECT_THAT(error_of("0,0,C,10,,,0,0,1,,0\n"), HasSubstr("without a candidate"));
+    EXPECT_THAT(error_of(good + "1,1,C,10,1,0.5,9,9,1,,0\n"), HasSubstr("not an earlier frame"));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::size_t loop_queries_by_distance(const std::string& poses, std::size_t count
         frames[i].rejection = fild::Rejection::too_few_matches;
     }
     const auto loaded = fild::load_ground_truth(poses, frames, fild::parse_protocol("radius:5"));
-    return fild::score_loops(frames, *loaded.truth).loop_queries;
+    return fild::score_loops(fild::judge_frames(frames, *loaded.truth)).loop_queries;
 }
 
 TEST(KittiPoses, GiveAboutAsManyLoopQueriesAsLabels)

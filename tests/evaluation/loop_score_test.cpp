@@ -21,7 +21,7 @@ TEST(ScoreLoops, CountsByHand)
     accept(frames, 7, 1);
     accept(frames, 8, 0);
     const fild::LabelTruth truth(fild::to_loop_labels({{6, 0}, {7, 1}, {8, 2}, {9, 3}}, 10), 0);
-    const auto score = fild::score_loops(frames, truth);
+    const auto score = fild::score_loops(fild::judge_frames(frames, truth));
     EXPECT_EQ(score.frames, 10U);
     EXPECT_EQ(score.loop_queries, 4U);
     EXPECT_EQ(score.accepted, 4U);
@@ -40,7 +40,7 @@ TEST(ScoreLoops, CountsByHand)
 TEST(ScoreLoops, HasNoPrecisionWithoutLoopClosures)
 {
     const fild::LabelTruth truth(fild::to_loop_labels({{6, 0}}, 10), 0);
-    const auto score = fild::score_loops(frames_at_one_hertz(10), truth);
+    const auto score = fild::score_loops(fild::judge_frames(frames_at_one_hertz(10), truth));
     EXPECT_FALSE(score.precision());
     EXPECT_DOUBLE_EQ(score.recall().value(), 0);
 }
@@ -50,8 +50,8 @@ TEST(ScoreLoops, LeavesOutWhatIsNeitherRightNorWrong)
     auto frames = frames_at_one_hertz(5);
     accept(frames, 3, 0);  // the camera stands still: too young
     const std::vector<fild::PosedFrame> poses(5, {0, fild::FramePose{}});
-    const auto score =
-        fild::score_loops(frames, fild::PoseTruth(poses, fild::parse_protocol("radius:1")));
+    const auto score = fild::score_loops(
+        fild::judge_frames(frames, fild::PoseTruth(poses, fild::parse_protocol("radius:1"))));
     EXPECT_EQ(score.accepted, 1U);
     EXPECT_EQ(score.neither, 1U);
     EXPECT_FALSE(score.precision());

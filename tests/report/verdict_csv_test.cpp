@@ -9,7 +9,7 @@ namespace
 {
 constexpr const char* kHeader =
     "frame,timestamp,sensor_label,keypoints,candidate,similarity,matches,inliers,accepted,"
-    "rejection\n";
+    "rejection,support\n";
 
 std::string csv_of(const std::vector<fild::FrameVerdict>& verdicts)
 {
@@ -35,16 +35,17 @@ TEST(VerdictCsv, WritesAnAcceptedLoop)
     verdict.candidate = fild::Candidate{fild::FrameId{3}, 0.9123456789};
     verdict.matches = 200;
     verdict.inliers = 186;
-    EXPECT_EQ(
-        csv_of({verdict}),
-        std::string(kHeader) + "45,1226322307.261530,CAMERA_LEFT,2050,3,0.912346,200,186,1,\n");
+    EXPECT_EQ(csv_of({verdict}),
+              std::string(kHeader) +
+                  "45,1226322307.261530,CAMERA_LEFT,2050,3,0.912346,200,186,1,,0.000000\n");
 }
 
 TEST(VerdictCsv, LeavesTheCandidateEmptyWhenThereIsNone)
 {
     fild::FrameVerdict verdict;
     verdict.rejection = fild::Rejection::too_early;
-    EXPECT_EQ(csv_of({verdict}), std::string(kHeader) + "0,0.000000,,0,,,0,0,0,too_early\n");
+    EXPECT_EQ(csv_of({verdict}),
+              std::string(kHeader) + "0,0.000000,,0,,,0,0,0,too_early,0.000000\n");
 }
 
 TEST(VerdictCsv, QuotesLabelsThatNeedIt)
@@ -52,8 +53,9 @@ TEST(VerdictCsv, QuotesLabelsThatNeedIt)
     fild::FrameVerdict verdict;
     verdict.sensor_label = "left, \"front\"";
     verdict.rejection = fild::Rejection::too_early;
-    EXPECT_EQ(csv_of({verdict}),
-              std::string(kHeader) + "0,0.000000,\"left, \"\"front\"\"\",0,,,0,0,0,too_early\n");
+    EXPECT_EQ(
+        csv_of({verdict}),
+        std::string(kHeader) + "0,0.000000,\"left, \"\"front\"\"\",0,,,0,0,0,too_early,0.000000\n");
 }
 
 }  // namespace

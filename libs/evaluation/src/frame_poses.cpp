@@ -39,20 +39,8 @@ FramePose parse_tum(const NumberRow& row)
     if (std::abs(length - 1) > kMaxRotationError)
         throw std::runtime_error(row.origin + ": the last four numbers are no unit quaternion");
     q /= length;
-    const double x = q[0];
-    const double y = q[1];
-    const double z = q[2];
-    const double w = q[3];
     FramePose pose;
-    pose.rotation = {1 - 2 * (y * y + z * z),
-                     2 * (x * y - z * w),
-                     2 * (x * z + y * w),
-                     2 * (x * y + z * w),
-                     1 - 2 * (x * x + z * z),
-                     2 * (y * z - x * w),
-                     2 * (x * z - y * w),
-                     2 * (y * z + x * w),
-                     1 - 2 * (x * x + y * y)};
+    pose.rotation = rotation_of(q);
     pose.position = {row.values[1], row.values[2], row.values[3]};
     return pose;
 }
@@ -77,6 +65,23 @@ const NumberRow* nearest_row(const std::vector<NumberRow>& rows, double timestam
     return nearest;
 }
 }  // namespace
+
+cv::Matx33d rotation_of(const cv::Vec4d& quaternion)
+{
+    const double x = quaternion[0];
+    const double y = quaternion[1];
+    const double z = quaternion[2];
+    const double w = quaternion[3];
+    return {1 - 2 * (y * y + z * z),
+            2 * (x * y - z * w),
+            2 * (x * z + y * w),
+            2 * (x * y + z * w),
+            1 - 2 * (x * x + z * z),
+            2 * (y * z - x * w),
+            2 * (x * z - y * w),
+            2 * (y * z + x * w),
+            1 - 2 * (x * x + y * y)};
+}
 
 double angle_between(const FramePose& a, const FramePose& b)
 {
@@ -125,6 +130,20 @@ std::vector<PosedFrame> read_tum_poses(const std::string& path,
         throw std::runtime_error("no pose of " + path + " is of the time of a frame; is it the " +
                                  "truth of this recording?");
     return posed;
+}
+
+std::vector<TimedPose> read_tum_trajectory(const std::string& path)
+{
+    const auto rows = read_number_rows(path);
+    if (rows.empty()) throw std::runtime_error("no pose in " + path);
+    std::vector<TimedPose> trajectory;
+    trajectory.reserve(rows.size());
+    for (const auto& row : rows) trajectory.push_back({row.values.at(0), parse_tum(row)});
+    std::stable_sort(trajectory.begin(),
+                     trajectory.end(),
+                     [](const TimedPose& a, const TimedPose& b)
+                     { return a.timestamp < b.timestamp; });
+    return trajectory;
 }
 
 }  // namespace fild

@@ -123,25 +123,42 @@ GroundTruth load_labels(const std::string& path,
     return ground_truth;
 }
 
-GroundTruth load_poses(const std::string& path,
-                       Format format,
-                       const std::vector<FrameVerdict>& frames,
-                       const Protocol& protocol)
+std::size_t count_known(const std::vector<PosedFrame>& frames)
+{
+    return static_cast<std::size_t>(std::count_if(
+        frames.begin(), frames.end(), [](const PosedFrame& frame) { return frame.pose; }));
+}
+
+TruePoses true_poses(std::vector<PosedFrame> frames, const std::string& content)
+{
+    const auto known = count_known(frames);
+    const auto unknown = frames.size() - known;
+    TruePoses poses;
+    poses.content = content + " of " + count_of(known, "frame", "frames");
+    if (unknown > 0)
+        poses.remarks.push_back(count_of(unknown, "frame has", "frames have") + " no pose");
+    poses.frames = std::move(frames);
+    return poses;
+}
+
+TruePoses load_poses(const std::string& path,
+                     Format format,
+                     const std::vector<FrameVerdict>& frames)
+{
+    return format == Format::tum_poses ? true_poses(read_tum_poses(path, frames), "TUM poses")
+                                       : true_poses(read_kitti_poses(path, frames), "KITTI poses");
+}
+
+bool holds_labels(Format format)
+{
+    return format == Format::loop_matrix || format == Format::loop_list;
+}
+
+void require_radius(const std::string& what, const Protocol& protocol)
 {
     if (protocol.kind != Protocol::Kind::radius)
-        throw std::invalid_argument(path + " holds poses, not labels: the protocol must be " +
+        throw std::invalid_argument(what + " holds poses, not labels: the protocol must be " +
                                     "radius:R");
-    const bool tum = format == Format::tum_poses;
-    auto posed = tum ? read_tum_poses(path, frames) : read_kitti_poses(path, frames);
-    const auto unknown = static_cast<std::size_t>(std::count_if(
-        posed.begin(), posed.end(), [](const PosedFrame& frame) { return !frame.pose; }));
-    GroundTruth ground_truth;
-    ground_truth.content = std::string(tum ? "TUM" : "KITTI") + " poses of " +
-                           count_of(posed.size() - unknown, "frame", "frames");
-    if (unknown > 0)
-        ground_truth.remarks.push_back(count_of(unknown, "frame has", "frames have") + " no pose");
-    ground_truth.truth = std::make_unique<PoseTruth>(std::move(posed), protocol);
-    return ground_truth;
 }
 }  // namespace
 
@@ -150,9 +167,40 @@ GroundTruth load_ground_truth(const std::string& path,
                               const Protocol& protocol)
 {
     const auto format = format_of(path);
-    return format == Format::loop_matrix || format == Format::loop_list
-               ? load_labels(path, format, frames.size(), protocol)
-               : load_poses(path, format, frames, protocol);
+    if (holds_labels(format)) return load_labels(path, format, frames.size(), protocol);
+    require_radius(path, protocol);
+    return ground_truth_of(load_poses(path, format, frames), protocol);
+}
+
+TruePoses load_true_poses(const std::string& path, const std::vector<FrameVerdict>& frames)
+{
+    const auto format = format_of(path);
+    if (holds_labels(format)) throw std::runtime_error(path + " holds labels, not poses");
+    return load_poses(path, format, frames);
+}
+
+TruePoses true_poses_along(const MeasuredPath& path,
+                           const std::string& content,
+                           const std::vector<FrameVerdict>& frames)
+{
+    auto posed = poses_along(path, frames);
+    if (count_known(posed) == 0)
+        throw std::runtime_error("no frame was taken while " + content +
+                                 " knew the pose; is it the truth of this recording?");
+    auto poses = true_poses(std::move(posed), content);
+    poses.oriented = path.oriented;
+    return poses;
+}
+
+GroundTruth ground_truth_of(TruePoses poses, const Protocol& protocol)
+{
+    require_radius("the ground truth", protocol);
+    GroundTruth ground_truth;
+    ground_truth.content = poses.content;
+    ground_truth.remarks = poses.remarks;
+    ground_truth.truth = std::make_unique<PoseTruth>(poses.frames, protocol);
+    ground_truth.poses = std::move(poses);
+    return ground_truth;
 }
 
 }  // namespace fild

@@ -19,6 +19,13 @@ struct FramePose
     cv::Vec3d position;  ///< metres
 };
 
+/** Where something was at a time. */
+struct TimedPose
+{
+    double timestamp = 0;  ///< seconds
+    FramePose pose;
+};
+
 /** When and where a frame was taken. */
 struct PosedFrame
 {
@@ -28,6 +35,9 @@ struct PosedFrame
 
 /** A TUM pose belongs to the frame when their times differ by at most so many seconds. */
 constexpr double kMaxPoseTimeDifference = 0.02;
+
+/** The rotation of a unit quaternion x, y, z, w. */
+cv::Matx33d rotation_of(const cv::Vec4d& quaternion);
 
 /** Angle of the rotation between two poses, radians, in [0, pi]. */
 double angle_between(const FramePose& a, const FramePose& b);
@@ -43,5 +53,9 @@ std::vector<PosedFrame> read_kitti_poses(const std::string& path,
  *  \throw std::runtime_error naming file and line, or when no frame has a pose. */
 std::vector<PosedFrame> read_tum_poses(const std::string& path,
                                        const std::vector<FrameVerdict>& frames);
+
+/** Reads a trajectory in TUM's format, in the order of time.
+ *  \throw std::runtime_error naming file and line, or when it holds no pose. */
+std::vector<TimedPose> read_tum_trajectory(const std::string& path);
 
 }  // namespace fild

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fild/core/verdict.h"
-#include "fild/evaluation/loop_truth.h"
+#include "fild/evaluation/judged_frame.h"
 
 #include <cstddef>
 #include <optional>
@@ -38,8 +38,7 @@ struct LoopScore
     std::optional<double> recall() const;
 };
 
-/** Asks the truth about each accepted verdict, and about each frame whether it has a loop.
- *  Deterministic. */
-LoopScore score_loops(const std::vector<FrameVerdict>& frames, const LoopTruth& truth);
+/** Counts the loop closures by what the truth said of them. Deterministic. */
+LoopScore score_loops(const std::vector<JudgedFrame>& frames);
 
 }  // namespace fild

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/evaluation/protocol.h"
+#include "fild/evaluation/trajectory_error.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** The command line of loop-closure-eval. */
+struct EvalOptions
+{
+    std::vector<std::string> runs;  ///< at least one
+    std::string ground_truth;
+    std::string truth_sensor;  ///< of a rawlog; empty: its only one
+    Protocol protocol;
+    std::vector<std::string> trajectories;  ///< instead of those in the run's folder
+    std::string true_trajectory;  ///< empty: the ground truth, if it is made of poses
+    TrajectoryErrorOptions trajectory_error;
+    std::string output;  ///< empty: nothing is written
+};
+
+/** Nothing when --help or --version was all that was asked for. \throw WrongUsage */
+std::optional<EvalOptions> parse_eval_options(int argc, char** argv);
+
+}  // namespace fild

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "csv_row.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+std::vector<std::string> split_fields(const std::string& line)
+{
+    std::vector<std::string> fields(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+        const char c = line[i];
+        if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+            fields.back() += line[++i];
+        else if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            fields.emplace_back();
+        else
+            fields.back() += c;
+    }
+    return fields;
+}
+}  // namespace
+
+CsvRow::CsvRow(const std::string& line, std::string origin, std::size_t columns)
+    : fields_(split_fields(line)), origin_(std::move(origin))
+{
+    if (fields_.size() != columns)
+        fail(std::to_string(fields_.size()) + " columns instead of " + std::to_string(columns));
+}
+
+void CsvRow::fail(const std::string& what) const
+{
+    throw std::runtime_error(origin_ + ": " + what);
+}
+
+void for_each_csv_row(const std::string& path,
+                      const std::string& header,
+                      const std::function<void(const CsvRow&)>& take)
+{
+    std::ifstream file(path);
+    std::string line;
+    if (!file || !std::getline(file, line))
+        throw std::runtime_error("cannot read '" + path +
+                                 "': " + std::generic_category().message(errno == 0 ? EIO : errno));
+    if (line != header)
+        throw std::runtime_error(path + " does not begin with the header of " +
+                                 std::filesystem::path(path).filename().string());
+    const auto columns =
+        static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
+    for (std::size_t number = 2; std::getline(file, line); ++number)
+        take(CsvRow(line, path + " line " + std::to_string(number), columns));
+}
+
+}  // namespace fild

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/evaluation/worst_wrong_pair.h"
+
+namespace fild
+{
+std::optional<WorstWrongPair> worst_wrong_pair(const std::vector<JudgedFrame>& frames)
+{
+    std::optional<WorstWrongPair> worst;
+    for (const auto& [verdict, loop_query, judgement] : frames)
+        if (judgement == Judgement::wrong && (!worst || verdict.support > worst->support))
+            worst = WorstWrongPair{verdict.frame,
+                                   verdict.candidate->frame,
+                                   verdict.inliers,
+                                   verdict.support,
+                                   verdict.accepted()};
+    return worst;
+}
+
+}  // namespace fild

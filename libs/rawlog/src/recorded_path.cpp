@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/rawlog/recorded_path.h"
+
+#include "fild/core/angle.h"
+#include "fild/rawlog/rawlog_reader.h"
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/math/CQuaternion.h>
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt/obs/CObservationGPS.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/obs/gnss_messages_ascii_nmea.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+using mrpt::math::TPoint3D;
+using Source = RecordedPath::Source;
+
+/** Latitude and longitude, radians; height over the ellipsoid, metres. */
+struct GeodeticFix
+{
+    double latitude = 0;
+    double longitude = 0;
+    double height = 0;
+};
+
+/** Earth-centred coordinates (WGS 84). */
+TPoint3D earth_point(const GeodeticFix& fix)
+{
+    constexpr double kEquatorialRadius = 6378137;  // m
+    constexpr double kEccentricity2 = 6.69437999014e-3;
+    const double sine = std::sin(fix.latitude);
+    const double prime_vertical = kEquatorialRadius / std::sqrt(1 - kEccentricity2 * sine * sine);
+    const double from_axis = (prime_vertical + fix.height) * std::cos(fix.latitude);
+    return {from_axis * std::cos(fix.longitude),
+            from_axis * std::sin(fix.longitude),
+            (prime_vertical * (1 - kEccentricity2) + fix.height) * sine};
+}
+
+/** Turns fixes into metres east and north of the first one. */
+class LocalPlane
+{
+ public:
+    TPoint3D east_north(const GeodeticFix& fix)
+    {
+        if (!origin_) origin_ = fix;
+        const auto from_origin = earth_point(fix) - earth_point(*origin_);
+        const double sine = std::sin(origin_->longitude);
+        const double cosine = std::cos(origin_->longitude);
+        const double outwards = cosine * from_origin.x + sine * from_origin.y;
+        return {
+            cosine * from_origin.y - sine * from_origin.x,
+            std::cos(origin_->latitude) * from_origin.z - std::sin(origin_->latitude) * outwards,
+            0};
+    }
+
+ private:
+    std::optional<GeodeticFix> origin_;
+};
+
+std::optional<GeodeticFix> fix_of(const mrpt::obs::CObservationGPS& gps)
+{
+    using mrpt::obs::gnss::Message_NMEA_GGA;
+    if (!gps.hasMsgClass<Message_NMEA_GGA>()) return std::nullopt;
+    const auto& fields = gps.getMsgByClass<Message_NMEA_GGA>().fields;
+    constexpr int kNoFix = 0;
+    if (fields.fix_quality == kNoFix) return std::nullopt;
+    return GeodeticFix{fields.latitude_degrees * kRadiansPerDegree,
+                       fields.longitude_degrees * kRadiansPerDegree,
+                       fields.altitude_meters};
+}
+
+StampedPose robot_pose(const mrpt::obs::CObservationRobotPose& observation, double seconds)
+{
+    const auto& pose = observation.pose.mean;
+    mrpt::math::CQuaternionDouble q;
+    pose.getAsQuaternion(q);
+    return {seconds, pose.x(), pose.y(), pose.z(), q.x(), q.y(), q.z(), q.r()};
+}
+
+/** Sorts observations into the paths of the sensors. */
+class PathCollector
+{
+ public:
+    void take(const mrpt::obs::CObservation& observation)
+    {
+        const double seconds = mrpt::Clock::toDouble(observation.timestamp);
+        if (const auto* robot = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&observation))
+            path(Source::robot_pose, observation).push_back(robot_pose(*robot, seconds));
+        const auto* gps = dynamic_cast<const mrpt::obs::CObservationGPS*>(&observation);
+        if (gps == nullptr) return;
+        if (const auto fix = fix_of(*gps))
+        {
+            const auto place = planes_[observation.sensorLabel].east_north(*fix);
+            path(Source::gps, observation).push_back({seconds, place.x, place.y, 0});
+        }
+    }
+
+    /** All paths there are, of sensors in alphabetical order. */
+    std::vector<RecordedPath> paths() const
+    {
+        std::vector<RecordedPath> all;
+        all.reserve(paths_.size());
+        for (const auto& [sensor, poses] : paths_)
+            all.push_back({sensor.second, sensor.first, poses});
+        return all;
+    }
+
+ private:
+    std::vector<StampedPose>& path(Source source, const mrpt::obs::CObservation& observation)
+    {
+        return paths_[{observation.sensorLabel, source}];
+    }
+
+    std::map<std::pair<std::string, Source>, std::vector<StampedPose>> paths_;
+    std::map<std::string, LocalPlane> planes_;
+};
+
+std::string list_of(const std::vector<RecordedPath>& paths)
+{
+    std::string list;
+    for (const auto& path : paths)
+        list += (list.empty() ? "'" : ", '") + path.sensor_label +
+                (path.source == Source::gps ? "' (GPS)" : "' (robot poses)");
+    return list;
+}
+}  // namespace
+
+RecordedPath read_recorded_path(const std::string& rawlog_path, const std::string& sensor_label)
+{
+    RawlogReader reader(rawlog_path);
+    PathCollector collector;
+    while (const auto observation = reader.next()) collector.take(*observation);
+    auto paths = collector.paths();
+    if (paths.empty())
+        throw std::runtime_error(rawlog_path +
+                                 " holds neither CObservationRobotPose nor CObservationGPS with a "
+                                 "fix");
+    const auto all = list_of(paths);
+    const auto is_other = [&](const RecordedPath& path)
+    { return !sensor_label.empty() && path.sensor_label != sensor_label; };
+    paths.erase(std::remove_if(paths.begin(), paths.end(), is_other), paths.end());
+    if (paths.empty())
+        throw std::runtime_error(rawlog_path + " has no path of sensor '" + sensor_label +
+                                 "'; there are " + all);
+    if (paths.size() > 1)
+        throw std::runtime_error(rawlog_path +
+                                 " has several paths, name the sensor of one: " + all);
+    auto& poses = paths.front().poses;
+    std::stable_sort(poses.begin(),
+                     poses.end(),
+                     [](const StampedPose& a, const StampedPose& b)
+                     { return a.seconds < b.seconds; });
+    return std::move(paths.front());
+}
+
+}  // namespace fild

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/evaluation/metric.h"
+#include "fild/report/evaluation_report.h"
+
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** metrics_of() each run. */
+std::vector<std::vector<Metric>> metrics_of_runs(const EvaluationReport& report);
+
+/** A value as text: whole counts without decimals, others with three (of a mean count: one). Of
+ *  shares only what is perfect reads 1.000, and only what is nothing 0.000. */
+std::string format_value(double value, Metric::Kind kind);
+
+/** The content of evaluation.json. */
+std::string evaluation_json(const EvaluationReport& report);
+
+/** The content of evaluation.tex: a table for LaTeX, package booktabs. */
+std::string evaluation_tex(const EvaluationReport& report);
+
+/** The content of precision_recall.svg: the curves of all runs over inliers and over similarity,
+ *  and where the runs themselves are. */
+std::string precision_recall_svg(const EvaluationReport& report);
+
+/** Contents of the CSV files. */
+std::string wrong_loops_csv(const EvaluationReport& report);
+std::string curve_csv(const EvaluationReport& report, ScoreKind kind);
+std::string stretches_csv(const EvaluationReport& report);
+std::string missed_loops_csv(const EvaluationReport& report);
+std::string runs_csv(const EvaluationReport& report);
+
+}  // namespace fild

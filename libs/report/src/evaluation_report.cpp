@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/report/evaluation_report.h"
+
+#include "evaluation_parts.h"
+#include "fild/core/whole_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+void write_file(const std::filesystem::path& path, const std::string& content)
+{
+    WholeFile file(path.string());
+    file.stream() << content;
+    file.commit();
+}
+}  // namespace
+
+std::string match_picture_of(const std::string& run_folder, const FrameVerdict& verdict)
+{
+    const auto picture = "matches/" + std::to_string(to_index(verdict.frame)) + "_" +
+                         std::to_string(to_index(verdict.candidate->frame)) + ".png";
+    std::error_code unreadable_is_absent;
+    const auto path = std::filesystem::path(run_folder) / picture;
+    return std::filesystem::exists(path, unreadable_is_absent) ? picture : "";
+}
+
+std::vector<std::vector<Metric>> metrics_of_runs(const EvaluationReport& report)
+{
+    std::vector<std::vector<Metric>> metrics;
+    metrics.reserve(report.runs.size());
+    for (const auto& run : report.runs) metrics.push_back(metrics_of(run));
+    return metrics;
+}
+
+std::string format_value(double value, Metric::Kind kind)
+{
+    std::ostringstream text;
+    text << std::fixed;
+    if (kind == Metric::Kind::share && value > 0 && value < 1)
+        value = std::clamp(value, 0.001, 0.999);
+    if (kind == Metric::Kind::count)
+        text << std::setprecision(value == std::floor(value) ? 0 : 1) << value;
+    else
+        text << std::setprecision(3) << value;
+    return text.str();
+}
+
+void write_evaluation(const EvaluationReport& report, const std::string& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw std::runtime_error("cannot make the output folder " + folder + ": " +
+                                 error.message());
+    const std::filesystem::path path(folder);
+    write_file(path / "wrong_loops.csv", wrong_loops_csv(report));
+    write_file(path / "curve_inliers.csv", curve_csv(report, ScoreKind::inliers));
+    write_file(path / "curve_similarity.csv", curve_csv(report, ScoreKind::similarity));
+    write_file(path / "stretches.csv", stretches_csv(report));
+    write_file(path / "runs.csv", runs_csv(report));
+    if (std::all_of(report.runs.begin(),
+                    report.runs.end(),
+                    [](const RunEvaluation& run) { return run.candidates; }))
+        write_file(path / "missed_loops.csv", missed_loops_csv(report));
+    write_file(path / "evaluation.tex", evaluation_tex(report));
+    write_file(path / "precision_recall.svg", precision_recall_svg(report));
+    write_file(path / "evaluation.json", evaluation_json(report));
+}
+
+}  // namespace fild
