@@ -16,7 +16,7 @@ packages=(
   libosmesa6-dev                        # off-screen drawing
   libopencv-dev                         # images, network inference, fundamental matrix
   libhnswlib-dev                        # proximity graph
-  libeigen3-dev                         # alignment of trajectories
+  libeigen3-dev                         # whitening of descriptors, alignment of trajectories
   libmatio-dev                          # ground truth in MATLAB files
   nlohmann-json3-dev                    # summary.json
   libssl-dev                            # checksum of the model

@@ -120,7 +120,7 @@ TEST_F(Corridor, WithThePapersSettings)
 
 TEST_F(Corridor, WithOurSettings)
 {
-    EXPECT_GE(recall("default.ini"), 0.80);
+    EXPECT_GE(recall("default.ini"), 0.90);
 }
 
 class Kitti03 : public ::testing::Test
