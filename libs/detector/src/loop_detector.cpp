@@ -11,7 +11,7 @@ namespace fild
 {
 namespace
 {
-constexpr std::size_t kLeastAnswers = 10;  // that are told of, verified or not
+constexpr std::size_t kToldAnswers = 10;  // that candidates.csv has, verified or not
 
 /** Which candidate a verdict speaks of: what speaks most for, then the one with more matches.
  *  Equals stay in the order of the search, most similar first. */
@@ -178,7 +178,9 @@ std::vector<Candidate> LoopDetector::search(const FrameDescription& query, Stage
 {
     const StageTimer timer(times, "index_search");
     const auto wanted = static_cast<std::size_t>(index_options_.candidates);
-    return index_->search(query.global, std::max(wanted, kLeastAnswers));
+    const auto width = static_cast<std::size_t>(index_options_.search_width);
+    // No more than ef: hnswlib would search as wide as it is asked for answers.
+    return index_->search(query.global, std::max(wanted, std::min(kToldAnswers, width)));
 }
 
 std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,

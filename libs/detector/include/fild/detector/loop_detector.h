@@ -25,7 +25,7 @@ struct DetectorOutcome
     FrameVerdict verdict;
     std::vector<PixelPair> matches;  ///< with verdict.candidate, after the ratio test
     std::vector<std::size_t> inliers;  ///< indices into `matches`
-    /** The nearest answers of the index, at least ten if there are, most similar first, then the
+    /** The nearest answers of the index, ten (or ef) if there are, most similar first, then the
      *  other frames that were verified, in that order. */
     std::vector<ConsideredCandidate> considered;
 };
