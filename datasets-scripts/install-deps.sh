@@ -14,6 +14,7 @@ packages=(
   libmrpt-maps-dev libmrpt-opengl-dev libmrpt-poses-dev libmrpt-serialization-dev
   libmrpt-system-dev libmrpt-tclap-dev
   libosmesa6-dev                        # off-screen drawing
+  libceres-dev libeigen3-dev            # pose graph optimisation, and its matrices
   libopencv-dev                         # images, network inference, fundamental matrix
   libhnswlib-dev                        # proximity graph
   libeigen3-dev                         # whitening of descriptors, alignment of trajectories
@@ -25,7 +26,8 @@ packages=(
 )
 test_packages=(
   libgtest-dev libgmock-dev             # unit tests
-  mrpt-apps mrpt-common                 # rawlog-edit, rawlogs nobody here wrote
+  mrpt-apps mrpt-common                 # rawlog-edit, graph-slam, rawlogs nobody here wrote
+  libmrpt-graphs-dev                    # reads our pose graphs back
   python3-opencv                        # checks the converted model
   clang-format clang-tidy clang-tools   # formatting and lint
 )
