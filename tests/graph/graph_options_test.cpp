@@ -23,7 +23,7 @@ TEST(GraphOptions, DefaultsAreValidAndSurviveARoundTrip)
     TGraphOptions options;
     EXPECT_NO_THROW(options.check());
     options.motion_source = fild::MotionSource::gps;
-    options.odometry_covariance = fild::OdometryCovariance::model;
+    options.odometry_covariance = fild::OdometryCovariance::own;
     options.graph_dimensions = fild::GraphDimensions::planar;
     options.trajectory_format = fild::TrajectoryFormat::kitti;
     options.drift_percent = 0.37;

@@ -7,6 +7,9 @@
 #include "fild/synthetic/odometry.h"
 #include "fild/synthetic/route.h"
 
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/poses/CPose2D.h>
@@ -149,30 +152,71 @@ inline std::vector<LoopMeasurement> aliased_loops(const SimulatedDrive& drive,
     return loops;
 }
 
-/** The drive's odometry as observations, and its frames, fed to a builder. */
+/** How a drive's odometry stands in the recording, as synthetic-rawlog writes it. */
+enum class Recorded
+{
+    odometry,  ///< CObservationOdometry: planar, without covariance
+    robot_pose,  ///< CObservationRobotPose, with a covariance that grows
+    robot_pose_without_covariance,
+    actions  ///< CActionRobotMovement2D, with MRPT's usual covariance
+};
+
+/** Feeds what was recorded at one frame. */
+inline void feed_frame(TrajectoryBuilder& builder,
+                       const SimulatedDrive& drive,
+                       Recorded recorded,
+                       std::size_t frame)
+{
+    using mrpt::poses::CPose2D;
+    using mrpt::poses::CPose3D;
+    const auto stamp = mrpt::Clock::fromDouble(static_cast<double>(frame));
+    const CPose3D pose(drive.odometry[frame]);
+    if (recorded == Recorded::odometry)
+    {
+        mrpt::obs::CObservationOdometry odometry;
+        odometry.timestamp = stamp;
+        odometry.odometry = CPose2D(pose);
+        builder.feed(odometry);
+        return;
+    }
+    if (recorded == Recorded::actions)
+    {
+        mrpt::obs::CActionRobotMovement2D movement;
+        const CPose3D before(drive.odometry[frame == 0 ? 0 : frame - 1]);
+        movement.computeFromOdometry(CPose2D(pose) - CPose2D(before), {});
+        mrpt::obs::CActionCollection actions;
+        actions.insert(movement);
+        builder.feed(actions);
+        mrpt::obs::CObservationImage image;
+        image.timestamp = stamp;
+        builder.feed(image);
+        return;
+    }
+    mrpt::obs::CObservationRobotPose observation;
+    observation.timestamp = stamp;
+    observation.pose.mean = pose;
+    if (recorded == Recorded::robot_pose)
+    {
+        constexpr double kDrift = 1.5;  // percent, as of simulate_drive()
+        constexpr double kFrameWay = 2.5;  // m
+        const auto sigma = odometry_deviation(kDrift, kFrameWay * static_cast<double>(frame));
+        for (int i = 0; i < 6; ++i)
+            observation.pose.cov(i, i) =
+                std::pow(i < 3 ? sigma.position_m : (i == 3 ? sigma.heading_rad : 1e-3), 2);
+    }
+    builder.feed(observation);
+}
+
+/** The drive's odometry as it would be recorded, fed to a builder with its frames. */
 inline Trajectory trajectory_of(const SimulatedDrive& drive,
-                                OdometryDimensions dimensions,
+                                Recorded recorded,
                                 const TGraphOptions& options)
 {
     TrajectoryBuilder builder(options);
     for (std::size_t i = 0; i < drive.odometry.size(); ++i)
     {
-        const double seconds = static_cast<double>(i);
-        if (dimensions == OdometryDimensions::planar)
-        {
-            mrpt::obs::CObservationOdometry odometry;
-            odometry.timestamp = mrpt::Clock::fromDouble(seconds);
-            odometry.odometry = mrpt::poses::CPose2D(mrpt::poses::CPose3D(drive.odometry[i]));
-            builder.feed(odometry);
-        }
-        else
-        {
-            mrpt::obs::CObservationRobotPose pose;
-            pose.timestamp = mrpt::Clock::fromDouble(seconds);
-            pose.pose.mean = mrpt::poses::CPose3D(drive.odometry[i]);
-            builder.feed(pose);
-        }
-        builder.add_frame(FrameId{i}, seconds);
+        feed_frame(builder, drive, recorded, i);
+        builder.add_frame(FrameId{i}, static_cast<double>(i));
     }
     return builder.build();
 }

@@ -215,9 +215,16 @@ TEST(TrajectoryBuilder, ActionsLeadToTheObservationsAfterThem)
         EXPECT_NEAR(x_of(trajectory, i), static_cast<double>(i), 1e-9);
 }
 
+TGraphOptions with_own_covariance()
+{
+    TGraphOptions options;
+    options.odometry_covariance = fild::OdometryCovariance::own;
+    return options;
+}
+
 TEST(TrajectoryBuilder, ActionsKeepTheirOwnCovariance)
 {
-    TrajectoryBuilder builder({});
+    TrajectoryBuilder builder(with_own_covariance());
     builder.feed(image_at(0));
     builder.add_frame(FrameId{0}, 0);
     for (int i = 1; i < 3; ++i)
@@ -256,7 +263,7 @@ TEST(TrajectoryBuilder, TakesActionsIn3D)
 /** Motion from 0 to 1 of two robot poses with these variances. */
 fild::RelativeMotion robot_pose_motion(double first,
                                        double second,
-                                       const TGraphOptions& options = {})
+                                       const TGraphOptions& options = with_own_covariance())
 {
     TrajectoryBuilder builder(options);
     builder.feed(robot_pose_at(0, CPose3D(), first));
@@ -270,9 +277,7 @@ TEST(TrajectoryBuilder, AbsoluteCovariancesThatGrowAreDeadReckoning)
 {
     EXPECT_NEAR(robot_pose_motion(1, 1.5).covariance(0, 0), 0.5, 1e-3);
     EXPECT_NEAR(robot_pose_motion(1, 1).covariance(0, 0), 2, 1e-3) << "measured twice";
-    TGraphOptions options;
-    options.odometry_covariance = fild::OdometryCovariance::model;
-    EXPECT_LT(robot_pose_motion(1, 1, options).covariance(0, 0), 0.1);
+    EXPECT_LT(robot_pose_motion(1, 1, {}).covariance(0, 0), 0.1);
     EXPECT_LT(robot_pose_motion(0, 0).covariance(0, 0), 0.1) << "no covariance: the model";
 }
 

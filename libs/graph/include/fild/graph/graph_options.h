@@ -42,7 +42,10 @@ struct TGraphOptions : Options
     /** Label of the sensor to take the motion from. Empty: the first that can give it. */
     std::string motion_sensor_label;
 
-    OdometryCovariance odometry_covariance = OdometryCovariance::own;
+    /** The model unless the recording's own are known to be good: those of actions mostly come from
+     *  MRPT's motion model as it is preset, 3 degrees of heading after 2.5 m, and an odometry that
+     *  is that uncertain contradicts no false loop. */
+    OdometryCovariance odometry_covariance = OdometryCovariance::model;
     /** Model: standard deviation of the position after 100 m, in percent of them; it grows with
      *  the square root of the way, as independent errors do. */
     double drift_percent = 1;

@@ -53,9 +53,9 @@ class RawlogReader
     RawlogReader& operator=(const RawlogReader&) = delete;
     ~RawlogReader();
 
-    /** The next observation, or null at the clean end of the file and ever after; actions are passed
-     *  over. \throw TruncatedRawlog naming path, entries read and position; each later call throws
-     *  it again. */
+    /** The next observation, or null at the clean end of the file and ever after; actions are
+     * passed over. \throw TruncatedRawlog naming path, entries read and position; each later call
+     * throws it again. */
     std::shared_ptr<mrpt::obs::CObservation> next();
 
     /** The next observation or actions; as next(), which may be called in turn. */
