@@ -35,6 +35,7 @@ PoseGraph random_graph()
     constexpr double kTilt = 0.8;
     std::mt19937_64 generator(6);
     std::vector<CPose3D> poses;
+    poses.reserve(5);
     for (int i = 0; i < 5; ++i) poses.push_back(random_pose(generator, kTilt));
     auto graph = graph_of(poses);
     graph.loops.push_back(

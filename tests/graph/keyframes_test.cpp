@@ -34,6 +34,7 @@ Trajectory trajectory_of(const std::vector<CPose2D>& poses)
 std::vector<CPose2D> straight_on(int count, double step)
 {
     std::vector<CPose2D> poses;
+    poses.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) poses.emplace_back(i * step, 0, 0);
     return poses;
 }
@@ -57,6 +58,7 @@ TEST(Keyframes, AreADistanceApart)
 TEST(Keyframes, AreAnAngleApart)
 {
     std::vector<CPose2D> turning;
+    turning.reserve(9);
     for (int i = 0; i < 9; ++i) turning.emplace_back(0, 0, i * 4 * fild::kRadiansPerDegree);
     EXPECT_THAT(select_keyframes(trajectory_of(turning), by(0, 11, 0)),
                 ElementsAre(FrameId{0}, FrameId{3}, FrameId{6}, FrameId{8}));

@@ -52,6 +52,7 @@ TEST(CycleError, IsNoneWhereAllIsExact)
 TEST(CycleError, CountsTheVariancesOfTheWholeCycle)
 {
     std::vector<CPose3D> line;
+    line.reserve(10);
     for (int i = 0; i < 10; ++i) line.emplace_back(i, 0, 0, 0, 0, 0);
     auto graph = graph_of(line);
     for (auto& edge : graph.odometry) edge.information = information_of(1, 1e-6);
@@ -89,6 +90,7 @@ TEST(CycleError, IsThatOfMrptsUncertainPoses)
     for (int n = 0; n < 10; ++n)
     {
         std::vector<CPose3D> poses;
+        poses.reserve(4);
         for (int i = 0; i < 4; ++i) poses.push_back(fild::testing::moderate_pose(generator));
         auto graph = graph_of(poses);
         const auto add_error = [&](const CPose3D& pose)
