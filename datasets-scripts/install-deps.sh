@@ -14,10 +14,10 @@ packages=(
   libmrpt-maps-dev libmrpt-opengl-dev libmrpt-poses-dev libmrpt-serialization-dev
   libmrpt-system-dev libmrpt-tclap-dev
   libosmesa6-dev                        # off-screen drawing
-  libceres-dev libeigen3-dev            # pose graph optimisation, and its matrices
+  libceres-dev                          # pose graph optimisation
   libopencv-dev                         # images, network inference, fundamental matrix
   libhnswlib-dev                        # proximity graph
-  libeigen3-dev                         # whitening of descriptors, alignment of trajectories
+  libeigen3-dev                         # whitening of descriptors, poses, alignment of trajectories
   libmatio-dev                          # ground truth in MATLAB files
   nlohmann-json3-dev                    # summary.json
   libssl-dev                            # checksum of the model
