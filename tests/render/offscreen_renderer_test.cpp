@@ -73,6 +73,32 @@ cv::Point2d seen_place(float x, float y, const mrpt::poses::CPose3D& map_from_ca
     return sum / kSizes;
 }
 
+/** MRPT's shaders ask for medium precision, which would move the camera by centimetres here. */
+TEST(OffscreenRenderer, IsAsExactFarFromTheOriginAsNearIt)
+{
+    const auto draw_at = [](float x, double heading)
+    {
+        const mrpt::poses::CPose3D map_from_camera =
+            mrpt::poses::CPose3D(static_cast<double>(x), 10.64, 1.6, heading, 0, 0) +
+            mrpt::poses::CPose3D(0, 0, 0, -CV_PI / 2, 0, -CV_PI / 2);
+        auto object = square(0.3F, 0.2F, 2, 0.5F);
+        object->setPose(map_from_camera);
+        fild::OffscreenRenderer renderer(scene_with(object));
+        return renderer.draw(small_camera(), map_from_camera);
+    };
+    const auto near = draw_at(0, 0);
+    for (const double heading : {0.0, 1.5, 1.57, -1.57, 3.1})
+    {
+        const auto far = draw_at(169.47F, heading);
+        // Samples on an edge may fall to either side.
+        const double difference =
+            cv::norm(near.image, far.image, cv::NORM_L1) / cv::sum(cv::sum(near.image))[0];
+        EXPECT_LT(difference, 0.05) << heading;
+        cv::Mat both = (near.depth > 0) & (far.depth > 0);
+        EXPECT_LT(cv::norm(near.depth, far.depth, cv::NORM_INF, both), 0.001) << heading;
+    }
+}
+
 TEST(OffscreenRenderer, DrawsWithTheFunctionsOfOsmesa)
 {
     EXPECT_THAT(fild::OffscreenRenderer::gl_library(), ::testing::HasSubstr("libOSMesa"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/render/offscreen_renderer.h"
 
+#include "shader_precision.h"
+
 #include <mrpt/opengl/CFBORender.h>
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/poses/CPose3D.h>
@@ -137,6 +139,7 @@ OffscreenRenderer::Context::Context()
     if (library.find("libOSMesa") == std::string::npos)
         throw std::runtime_error("cannot draw off-screen: OpenGL functions come from " + library +
                                  ", not from libOSMesa; link OSMesa before all others");
+    require_precise_shaders();
     const std::array<int, 11> attributes{OSMESA_FORMAT,
                                          OSMESA_RGBA,
                                          OSMESA_PROFILE,
