@@ -146,14 +146,80 @@ bool is_certain(const cv::Matx66d& covariance, const TRelativePoseOptions& optio
            worst(3) <= options.max_rotation_deviation_deg * kRadiansPerDegree;
 }
 
+/** Standard deviation of pixels across the line that fits them best: of points on a line nothing
+ *  tells how the camera is turned about it, and noise may pass for an answer. */
+double spread_across(const std::vector<MeasuredMatch>& matches,
+                     const std::vector<std::size_t>& which)
+{
+    cv::Vec2d sum;
+    cv::Matx22d squares = cv::Matx22d::zeros();
+    for (const auto k : which)
+    {
+        const auto pixel = to_vector(matches[k].query.pixel);
+        sum += pixel;
+        squares += pixel * pixel.t();
+    }
+    const double share = 1 / static_cast<double>(which.size());
+    const cv::Matx22d covariance = share * squares - (share * sum) * (share * sum).t();
+    cv::Vec2d eigenvalues;
+    cv::eigen(covariance, eigenvalues);
+    return std::sqrt(std::max(eigenvalues[1], 0.0));
+}
+
+/** Why a pose is not to be trusted. */
+NoMetricPose weakness_of(const RefinedPose& pose,
+                         const std::vector<MeasuredMatch>& matches,
+                         const TRelativePoseOptions& options)
+{
+    constexpr double kNarrowestPx = 5;
+    const auto inliers = pose.inliers.size();
+    if (inliers < static_cast<std::size_t>(options.min_points)) return NoMetricPose::too_few_points;
+    if (static_cast<double>(inliers) <
+        options.min_inlier_share * static_cast<double>(matches.size()))
+        return NoMetricPose::disagreement;
+    if (spread_across(matches, pose.inliers) < kNarrowestPx ||
+        !is_certain(pose.candidate_from_query.covariance, options))
+        return NoMetricPose::degenerate;
+    return NoMetricPose::none;
+}
+
+/** Matches with a depth in either frame. */
+struct MatchesWithDepth
+{
+    std::vector<MeasuredMatch> matches;
+    std::vector<std::size_t> index_of;  ///< among all matches
+};
+
+MatchesWithDepth with_depth(const PoseView& query,
+                            const PoseView& candidate,
+                            const std::vector<Match>& matches)
+{
+    MatchesWithDepth result;
+    for (std::size_t k = 0; k < matches.size(); ++k)
+    {
+        const MeasuredMatch match{measured_point(query, matches[k].query),
+                                  measured_point(candidate, matches[k].candidate)};
+        if (!match.query.has_depth() && !match.candidate.has_depth()) continue;
+        result.matches.push_back(match);
+        result.index_of.push_back(k);
+    }
+    return result;
+}
+
+RelativePose without_pose(NoMetricPose reason)
+{
+    RelativePose result;
+    result.reason = reason;
+    return result;
+}
+
 RelativePose without_scale(const PoseView& query,
                            const PoseView& candidate,
                            const std::vector<Match>& matches,
                            double max_error_px,
                            int random_state)
 {
-    RelativePose result;
-    result.reason = NoMetricPose::no_depth;
+    auto result = without_pose(NoMetricPose::no_depth);
     auto motion = two_view_motion({*query.camera,
                                    query_pixels(matches, query.positions),
                                    *candidate.camera,
@@ -202,53 +268,40 @@ RelativePose RelativePoseEstimator::estimate(const PoseView& query,
 {
     require_sound(query);
     require_sound(candidate);
-    RelativePose result;
-    const auto no_pose = [&](NoMetricPose reason)
-    {
-        result.reason = reason;
-        return result;
-    };
-    query_pixels(matches, query.positions);
+    query_pixels(matches, query.positions);  // throws on a bad index
     candidate_pixels(matches, candidate.positions);
-    if (!query.camera || !candidate.camera) return no_pose(NoMetricPose::not_calibrated);
-
-    std::vector<MeasuredMatch> measured;
-    std::vector<std::size_t> index_of;
-    for (std::size_t k = 0; k < matches.size(); ++k)
-    {
-        const MeasuredMatch match{measured_point(query, matches[k].query),
-                                  measured_point(candidate, matches[k].candidate)};
-        if (!match.query.has_depth() && !match.candidate.has_depth()) continue;
-        measured.push_back(match);
-        index_of.push_back(k);
-    }
-    if (measured.empty())
+    if (!query.camera || !candidate.camera) return without_pose(NoMetricPose::not_calibrated);
+    const auto measured = with_depth(query, candidate, matches);
+    if (measured.matches.empty())
         return without_scale(
             query, candidate, matches, options_.max_reprojection_px, random_state_);
-    result.with_depth = measured.size();
+
+    auto result = without_pose(NoMetricPose::no_model);
+    result.with_depth = measured.matches.size();
     result.source = candidate.depths.source != DepthSource::none ? candidate.depths.source
                                                                  : query.depths.source;
-    const auto fewest = static_cast<std::size_t>(options_.min_points);
-    if (measured.size() < fewest) return no_pose(NoMetricPose::too_few_points);
-
+    if (result.with_depth < static_cast<std::size_t>(options_.min_points))
+    {
+        result.reason = NoMetricPose::too_few_points;
+        return result;
+    }
     const CameraPair cameras{*query.camera, *candidate.camera};
-    const auto start = best_hypothesis(measured, cameras, usac_parameters(options_, random_state_));
-    if (!start) return no_pose(NoMetricPose::no_model);
-    auto refined = refined_pose(measured, cameras, *start);
-    if (!refined) return no_pose(NoMetricPose::degenerate);
-
-    for (const auto k : refined->inliers) result.inliers.push_back(index_of[k]);
+    const auto start =
+        best_hypothesis(measured.matches, cameras, usac_parameters(options_, random_state_));
+    if (!start) return result;
+    auto refined = refined_pose(measured.matches, cameras, *start);
+    result.reason = NoMetricPose::degenerate;
+    if (!refined) return result;
+    for (const auto k : refined->inliers) result.inliers.push_back(measured.index_of[k]);
     result.inlier_share =
-        static_cast<double>(result.inliers.size()) / static_cast<double>(measured.size());
+        static_cast<double>(result.inliers.size()) / static_cast<double>(measured.matches.size());
     result.pixel_deviation_px = refined->noise.pixel_deviation_px;
     result.depth_deviation_factor = refined->noise.depth_factor;
-    if (result.inliers.size() < fewest) return no_pose(NoMetricPose::too_few_points);
-    if (result.inlier_share < options_.min_inlier_share) return no_pose(NoMetricPose::disagreement);
     add_scale_error(refined->candidate_from_query,
                     std::max(query.depths.scale_deviation, candidate.depths.scale_deviation));
-    if (!is_certain(refined->candidate_from_query.covariance, options_))
-        return no_pose(NoMetricPose::degenerate);
-    result.candidate_from_query = refined->candidate_from_query;
+    result.reason = weakness_of(*refined, measured.matches, options_);
+    if (result.reason == NoMetricPose::none)
+        result.candidate_from_query = refined->candidate_from_query;
     return result;
 }
 
