@@ -41,7 +41,7 @@ TEST(ImageDepths, AreExactOnASlantedPlane)
     for (int row = 0; row < depth.rows; ++row)
         for (int column = 0; column < depth.cols; ++column)
             depth.at<float>(row, column) = static_cast<float>(plane(column, row));
-    const std::vector<PixelPosition> pixels{{10.25F, 20.5F}, {0, 0}, {63, 47}, {30, 30.75F}};
+    const std::vector<PixelPosition> pixels{{10.25F, 20.5F}, {3, 3}, {60, 44}, {30, 30.75F}};
     const auto depths = depths_from_image(frame_with_depth(depth), pixels, TDepthOptions());
     EXPECT_EQ(depths.source, DepthSource::depth_image);
     EXPECT_EQ(depths.known(), pixels.size());
@@ -69,10 +69,11 @@ TEST(ImageDepths, AreUnknownAtEdgesAndHoles)
                                             {64, 5},
                                             {5, 47.5F},
                                             {kNan, 5},
-                                            {30.5F, 5},
-                                            {32.5F, 5}};
+                                            {28.4F, 5},
+                                            {35.25F, 5}};
     const auto depths = depths_from_image(frame_with_depth(depth), pixels, TDepthOptions());
     EXPECT_EQ(depths.known(), 2U);
+    ASSERT_EQ(pixels.size(), 11U);
     EXPECT_FLOAT_EQ(depths.metres[9], 3);
     EXPECT_FLOAT_EQ(depths.metres[10], 4);
     EXPECT_TRUE(std::isnan(depths.deviations_m[0]));

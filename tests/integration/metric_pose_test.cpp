@@ -41,19 +41,25 @@ EdgeStatistics drive(fild::SensorKind sensor)
 TEST(MetricPose, OfStereoPairsIsExactAndKnowsHowExact)
 {
     const auto edges = drive(fild::SensorKind::stereo);
-    std::cout << edges.text() << "\n";
+    SCOPED_TRACE(edges.text());
     ASSERT_GE(edges.errors.size(), 10U);
     EXPECT_LT(edges.median(&EdgeError::metres), 0.03);
     EXPECT_LT(edges.median(&EdgeError::degrees), 0.3);
+    EXPECT_GE(edges.mean_nees(), 3);  // 4 to 9 over many edges; here are some 20
+    EXPECT_LE(edges.mean_nees(), 9.5);
+    EXPECT_EQ(edges.share_beyond(), 0);
 }
 
 TEST(MetricPose, OfRangeScansIsExactAndKnowsHowExact)
 {
     const auto edges = drive(fild::SensorKind::rgbd);
-    std::cout << edges.text() << "\n";
+    SCOPED_TRACE(edges.text());
     ASSERT_GE(edges.errors.size(), 10U);
     EXPECT_LT(edges.median(&EdgeError::metres), 0.02);
     EXPECT_LT(edges.median(&EdgeError::degrees), 0.3);
+    EXPECT_GE(edges.mean_nees(), 3);  // 4 to 9 over many edges; here are some 20
+    EXPECT_LE(edges.mean_nees(), 9.5);
+    EXPECT_EQ(edges.share_beyond(), 0);
 }
 
 }  // namespace

@@ -68,6 +68,11 @@ CObservationStereoImages::Ptr stereo_pair(double baseline = 0.2)
     return stereo;
 }
 
+std::uint16_t& at(CObservation3DRangeScan& scan, int row, int column)
+{
+    return scan.rangeImage(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
+}
+
 /** Its depth at a pixel in millimetres: 1000 + column + 100 * row; the corner has none. */
 CObservation3DRangeScan::Ptr range_scan()
 {
@@ -82,8 +87,8 @@ CObservation3DRangeScan::Ptr range_scan()
     scan->rangeImage_setSize(kHeight, kWidth);
     for (int row = 0; row < kHeight; ++row)
         for (int column = 0; column < kWidth; ++column)
-            scan->rangeImage(row, column) = static_cast<std::uint16_t>(1000 + column + 100 * row);
-    scan->rangeImage(0, 0) = 0;
+            at(*scan, row, column) = static_cast<std::uint16_t>(1000 + column + 100 * row);
+    at(*scan, 0, 0) = 0;
     return scan;
 }
 
@@ -219,7 +224,7 @@ TEST(MetricContent, RegistersTheDepthOfACameraBesideTheOther)
     auto scan = range_scan();
     for (int row = 0; row < kHeight; ++row)
         for (int column = 0; column < kWidth; ++column)
-            scan->rangeImage(row, column) = column < 32 ? 2000 : 4000;
+            at(*scan, row, column) = column < 32 ? 2000 : 4000;
     // The colour camera 0.2 m to the right: the edge at column 32 moves left by 5 pixels for the
     // near side; 2.5 pixels beyond it are hidden from the depth camera.
     scan->relativePoseIntensityWRTDepth = CPose3D(0, -0.2, 0, 0, 0, 0) + mount_from_camera();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace fild
 {
@@ -35,6 +36,29 @@ double interpolated_depth(const cv::Mat& depth, const PixelPosition& pixel, doub
     return 1 / ((1 - down) * ((1 - right) / corners[0] + right / corners[1]) +
                 down * ((1 - right) / corners[2] + right / corners[3]));
 }
+/** True when the surface goes on as a plane for some pixels on all sides: what a blob shows beside
+ *  an edge in depth is on no one surface. On a plane second differences of inverse depth are 0. */
+bool is_on_a_surface(const cv::Mat& depth, const PixelPosition& pixel, double max_step)
+{
+    constexpr int kReach = 3;
+    constexpr std::array<std::pair<int, int>, 4> kDirections{{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
+    const int x = static_cast<int>(std::lround(pixel.x));
+    const int y = static_cast<int>(std::lround(pixel.y));
+    if (x < kReach || y < kReach || x + kReach >= depth.cols || y + kReach >= depth.rows)
+        return false;
+    const auto inverse_at = [&](int dx, int dy)
+    { return 1 / static_cast<double>(depth.at<float>(y + dy, x + dx)); };
+    const double here = inverse_at(0, 0);
+    return std::all_of(kDirections.begin(),
+                       kDirections.end(),
+                       [&](const auto& d)
+                       {
+                           const double there = inverse_at(kReach * d.first, kReach * d.second);
+                           const double back = inverse_at(-kReach * d.first, -kReach * d.second);
+                           return there > 0 && back > 0 &&
+                                  std::abs(there + back - 2 * here) <= max_step * here;
+                       });
+}
 }  // namespace
 
 KeypointDepths depths_from_image(const Frame& frame,
@@ -53,7 +77,9 @@ KeypointDepths depths_from_image(const Frame& frame,
         const double z = interpolated_depth(frame.depth, positions[i], options.max_step);
         const double deviation =
             options.sensor_deviation_m + options.sensor_deviation_per_m2 * z * z;
-        if (!(z >= options.min_depth_m) || deviation > options.max_relative_deviation * z) continue;
+        if (!(z >= options.min_depth_m) || deviation > options.max_relative_deviation * z ||
+            !is_on_a_surface(frame.depth, positions[i], options.max_step))
+            continue;
         depths.metres[i] = static_cast<float>(z);
         depths.deviations_m[i] = static_cast<float>(deviation);
     }

@@ -137,7 +137,7 @@ std::optional<PatchFit> fit_patch(
     constexpr int kMaxIterations = 15;
     constexpr double kConverged = 0.005;  // pixels
     constexpr double kSteepest = 0.7;  // slope of the disparity on a surface seen at all
-    const double half = side / 2;
+    const int half = side / 2;
     if (!contains(left, pixel.x - half, pixel.y - half) ||
         !contains(left, pixel.x + half, pixel.y + half))
         return std::nullopt;

@@ -100,7 +100,7 @@ double measured_depth_factor(const Residuals& residuals, const MeasuredNoise& no
                                  covariance_of(residual, {noise.pixel_deviation_px, factor})(2, 2));
         return values;
     };
-    return normalised(1).size() < kEnough ? 1 : deviation_at_median(normalised, kMedian1, 0.1, 10);
+    return normalised(1).size() < kEnough ? 1 : deviation_at_median(normalised, kMedian1, 0.3, 10);
 }
 
 /** Of matches that all agree with the pose. */
@@ -163,7 +163,7 @@ double variance_factor(const Residuals& residuals,
                        const MeasuredNoise& noise,
                        const cv::Matx66d& inverse_information)
 {
-    constexpr double kCellPx = 40;
+    constexpr double kCellPx = 64;
     constexpr double kUnknowns = 6;
     std::map<std::pair<int, int>, cv::Vec<double, 6>> pulls;
     double weights = 0;
@@ -182,9 +182,11 @@ double variance_factor(const Residuals& residuals,
     double sum = 0;
     for (const auto& [cell, pull] : pulls) sum += pull.dot(inverse_information * pull);
     const auto cells = static_cast<double>(pulls.size());
-    // The fit itself takes up six degrees of freedom.
-    const double degrees_of_freedom = cells / std::max(cells - kUnknowns, 1.0);
-    return sum / kUnknowns * degrees_of_freedom * (weights * weights) / (slopes * slopes);
+    // The fit gives way to each cell's pull by its share of the six degrees of freedom; squared as
+    // in the jackknife: J. MacKinnon, H. White, Journal of Econometrics 29 (1985), HC3.
+    const double give_way = cells / std::max(cells - kUnknowns, 1.0);
+    const double steepness = weights / slopes;
+    return sum / kUnknowns * give_way * give_way * steepness * steepness;
 }
 
 RigidTransform moved(const RigidTransform& pose, const cv::Vec<double, 6>& step)
@@ -234,6 +236,7 @@ std::optional<RefinedPose> refined_pose(const std::vector<MeasuredMatch>& matche
     }
     if (refined.inliers.size() < kFewest) return std::nullopt;
     std::vector<PixelPosition> pixels;
+    pixels.reserve(refined.inliers.size());
     for (const auto k : refined.inliers) pixels.push_back(matches[k].query.pixel);
     const auto residuals = residuals_of(matches, cameras, pose, refined.inliers);
     covariance = covariance * variance_factor(residuals, pixels, refined.noise, covariance);

@@ -110,9 +110,9 @@ std::string MetricContent::add_right(Frame& frame, const CObservationStereoImage
 
 std::string MetricContent::add_depth(Frame& frame, const CObservation3DRangeScan& scan)
 {
-    const auto path = scan.hasRangeImage && scan.rangeImage_isExternallyStored()
-                          ? store_.path_of_file(scan.rangeImage_getExternalStorageFile(""))
-                          : "";
+    auto path = scan.hasRangeImage && scan.rangeImage_isExternallyStored()
+                    ? store_.path_of_file(scan.rangeImage_getExternalStorageFile(""))
+                    : "";
     const auto ranges = ranges_of(scan, path);
     if (!ranges.empty())
     {

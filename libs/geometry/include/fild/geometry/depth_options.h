@@ -20,7 +20,8 @@ struct TDepthOptions : Options
     double disparity_deviation_px = 0.1;  ///< standard deviation at best; weak texture adds to it
 
     // Depth image.
-    /** Four neighbouring depths that differ by a larger share are an edge. */
+    /** Depths about a keypoint that differ by a larger share, or so much from a plane, are an edge.
+     */
     double max_step = 0.05;
     /** Standard deviation: this, plus the second times the squared depth, which is how disparity
      *  sensors err: K. Khoshelham, S. Oude Elberink, "Accuracy and Resolution of Kinect Depth

@@ -68,9 +68,11 @@ struct RelativePose
  *  the query's pixels, and the other way round; the hypothesis with more agreeing matches is
  * refined by Gauss-Newton on all matches. A match is weighed by the whole of its noise, pixels and
  * depths of both frames, propagated through the pose: with the depth in one frame it gives two
- * equations, with depths in both three. Nothing is counted twice. Cauchy's loss lessens the
- * doubtful ones. Noise of pixels and depths is measured from the residuals themselves, by medians,
- * and the covariance is made of it. Deterministic. Const members may run concurrently. */
+ * equations, with depths in both three. Nothing is counted
+ *  twice. Cauchy's loss lessens the doubtful ones. Noise of pixels and depths is measured from the
+ *  residuals by medians; the covariance is the inverse of the information, times a variance factor
+ *  that is measured from the residuals too, neighbouring matches taken as one. Deterministic. Const
+ * members may run concurrently. */
 class RelativePoseEstimator
 {
  public:
