@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every shipped configuration loads, names every key, and says what it claims to say.
 #include "fild/core/ini_file.h"
+#include "fild/graph/graph_options.h"
 #include "fild/render/render_options.h"
 #include "fild/stream/loop_closure_stream.h"
 
@@ -16,11 +17,13 @@ const std::string kFolder = FILD_SOURCE_DIR "/config-ini/";
 struct AllOptions
 {
     fild::TLoopClosureStreamOptions stream;
+    fild::TGraphOptions graph;
     fild::TRenderOptions render;
 
     std::vector<std::pair<std::string, fild::Options*>> sections()
     {
         auto all = stream.sections();
+        all.emplace_back("graph", &graph);
         all.emplace_back("render", &render);
         return all;
     }

@@ -15,7 +15,7 @@ std::string csv_of(const std::vector<fild::FrameVerdict>& verdicts)
 {
     const fild::testing::TemporaryFolder folder;
     fild::VerdictCsv csv(folder.path("frames.csv"));
-    for (const auto& verdict : verdicts) csv.add(verdict);
+    for (const auto& verdict : verdicts) csv.add(verdict, "stereo");
     csv.commit();
     return fild::testing::read_text(folder.path("frames.csv"));
 }

@@ -5,6 +5,7 @@ namespace fild
 {
 void TRelativePoseOptions::describe(OptionVisitor& visitor)
 {
+    visitor.flag("enabled", enabled);
     visitor.integer("min_points", min_points, 6, 100000);
     visitor.real("min_inlier_share", min_inlier_share, 0, 1);
     visitor.real("max_reprojection_px", max_reprojection_px, 0.1, 50);

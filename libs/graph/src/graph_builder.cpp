@@ -5,6 +5,7 @@
 #include "information.h"
 
 #include <set>
+#include <stdexcept>
 #include <string>
 
 namespace fild
@@ -21,6 +22,19 @@ GraphEdge edge_of(const LoopMeasurement& loop)
     return {loop.candidate, loop.query, loop.motion.a_from_b, inverse_of(loop.motion.covariance)};
 }
 }  // namespace
+
+bool is_usable(const RelativeMotion& motion)
+{
+    try
+    {
+        require_information(motion.a_from_b, motion.covariance, "covariance");
+        return true;
+    }
+    catch (const std::invalid_argument&)
+    {
+        return false;
+    }
+}
 
 BuiltGraph build_pose_graph(const Trajectory& trajectory,
                             const std::vector<LoopMeasurement>& loops,

@@ -41,6 +41,7 @@ void TGraphOptions::describe(OptionVisitor& visitor)
         "trajectory_format",
         trajectory_format,
         {{"tum", TrajectoryFormat::tum}, {"kitti", TrajectoryFormat::kitti}});
+    visitor.flag("simple_map", simple_map);
 }
 
 void TGraphOptions::check_between_fields() const

@@ -17,13 +17,15 @@ std::vector<std::pair<std::string, Options*>> TLoopClosureStreamOptions::section
 TLoopClosureStreamOptions load_stream_options(const std::string& ini_path)
 {
     TLoopClosureStreamOptions options;
-    load_sections(load_ini_file(ini_path), options.sections(), {"render"});
+    load_sections(load_ini_file(ini_path), options.sections(), {"render", "graph"});
     return options;
 }
 
 LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
                                      const std::string& rawlog_path)
-    : frames_(options.input, rawlog_path),
+    : frames_(options.input,
+              rawlog_path,
+              options.detector.relative_pose.enabled ? FrameContent::metric : FrameContent::image),
       describer_(options.detector),
       detector_(options.detector, describer_.global_dimension())
 {

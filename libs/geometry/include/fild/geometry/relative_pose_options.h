@@ -8,6 +8,9 @@ namespace fild
 /** Section [relative_pose]: when the matches of two images and their depths make a metric pose. */
 struct TRelativePoseOptions : Options
 {
+    /** Find depths of keypoints and metric poses of loops; false: loops alone, which saves the time
+     *  of right and depth images. */
+    bool enabled = true;
     int min_points = 12;  ///< metric inliers; fewer are no pose
     /** Metric inliers must be this share of the verified matches that have a depth: matches that
      *  agree with a fundamental matrix but not with one pose speak of a wrong depth or place. */

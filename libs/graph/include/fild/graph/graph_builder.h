@@ -17,6 +17,10 @@ struct LoopMeasurement
     RelativeMotion motion;  ///< a: the candidate, b: the query
 };
 
+/** True when build_pose_graph() takes it as a loop's motion: all finite, covariance positive
+ *  definite. */
+bool is_usable(const RelativeMotion& motion);
+
 /** A pose graph, and what could not become part of it. Value type. */
 struct BuiltGraph
 {

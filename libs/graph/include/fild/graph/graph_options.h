@@ -88,6 +88,8 @@ struct TGraphOptions : Options
 
     GraphDimensions graph_dimensions = GraphDimensions::spatial;
     TrajectoryFormat trajectory_format = TrajectoryFormat::tum;
+    /** Write the keyframes with their observations. */
+    bool simple_map = true;
 
  protected:
     void describe(OptionVisitor& visitor) override;
