@@ -247,7 +247,8 @@ void print_result(const RunSummary& summary,
     if (missing != summary.frames_by_rejection.end())
         std::cerr << "note: " << missing->second << " images are missing, the first is "
                   << first_missing_image << "; [input] images_dir names their folder\n";
-    for (const auto& note : summary.map.notes) std::cerr << "note: " << note << "\n";
+    if (summary.ended_early.empty())  // else one line says why
+        for (const auto& note : summary.map.notes) std::cerr << "note: " << note << "\n";
     std::cout << summary.camera_frames << " frames, " << summary.loop_closures
               << " loop closures, in " << output << "\n";
     for (const auto& [rejection, count] : summary.frames_by_rejection)

@@ -157,7 +157,8 @@ NormalEquations normal_equations(const Residuals& residuals, const MeasuredNoise
 /** By how much the covariance of the solution exceeds the inverse of the information: K.-Y. Liang,
  *  S. Zeger, "Longitudinal data analysis using generalized linear models", Biometrika 73 (1986),
  *  reduced to one factor, since few matches do not give a whole matrix. What neighbours pull the
- *  same way counts as one: keypoints of several sizes at one corner share their errors. */
+ *  same way counts as one: keypoints of several sizes at one corner share their errors. Never less
+ *  than a tenth: copies of an image leave no residuals, and are no endless precision. */
 double variance_factor(const Residuals& residuals,
                        const std::vector<PixelPosition>& pixels,
                        const MeasuredNoise& noise,
@@ -165,6 +166,7 @@ double variance_factor(const Residuals& residuals,
 {
     constexpr double kCellPx = 64;
     constexpr double kUnknowns = 6;
+    constexpr double kLeast = 0.1;
     std::map<std::pair<int, int>, cv::Vec<double, 6>> pulls;
     double weights = 0;
     double slopes = 0;
@@ -186,7 +188,7 @@ double variance_factor(const Residuals& residuals,
     // in the jackknife: J. MacKinnon, H. White, Journal of Econometrics 29 (1985), HC3.
     const double give_way = cells / std::max(cells - kUnknowns, 1.0);
     const double steepness = weights / slopes;
-    return sum / kUnknowns * give_way * give_way * steepness * steepness;
+    return std::max(kLeast, sum / kUnknowns * give_way * give_way * steepness * steepness);
 }
 
 RigidTransform moved(const RigidTransform& pose, const cv::Vec<double, 6>& step)

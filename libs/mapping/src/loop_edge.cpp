@@ -73,7 +73,11 @@ std::optional<RelativeMotion> robot_motion(const UncertainTransform& candidate_f
                              query.robot_from_camera.value_or(RigidTransform()));
         RelativeMotion motion;
         motion.a_from_b = constraint.mean;
-        motion.covariance = constraint.cov_inv.inverse_LLt();
+        const auto covariance = constraint.cov_inv.inverse_LLt();
+        for (int row = 0; row < 6; ++row)  // symmetric but for rounding
+            for (int column = 0; column < 6; ++column)
+                motion.covariance(row, column) =
+                    (covariance(row, column) + covariance(column, row)) / 2;
         if (is_usable(motion)) return motion;
     }
     catch (const std::invalid_argument&)  // no covariance that an edge could have

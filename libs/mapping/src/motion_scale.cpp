@@ -2,6 +2,7 @@
 #include "fild/mapping/motion_scale.h"
 
 #include "fild/geometry/motion_depths.h"
+#include "fild/mapping/pair_poses.h"
 #include "fild/rawlog/pose_conversion.h"
 
 #include <cmath>
@@ -39,7 +40,7 @@ MotionScale::MotionScale(const LoopDetector& detector,
                          const TDetectorOptions& options)
     : detector_(detector),
       trajectory_(trajectory),
-      pairs_(options),
+      pairs_(without_doubt(options)),
       options_(options.depth),
       enough_(static_cast<std::size_t>(options.relative_pose.min_points)),
       seed_(static_cast<std::uint64_t>(options.runtime.seed))

@@ -3,6 +3,7 @@
 
 #include "fild/core/parallel_for.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace fild
@@ -30,6 +31,16 @@ RelativePose PairPoses::estimate(const Place& query,
     return poses_.estimate({query.metric.camera, query.local.positions, query_depths},
                            {candidate.metric.camera, candidate.local.positions, candidate_depths},
                            pair.inliers());
+}
+
+TDetectorOptions without_doubt(const TDetectorOptions& options)
+{
+    auto changed = options;
+    auto& verification = changed.verification;
+    verification.min_inliers = std::min(verification.min_inliers, options.relative_pose.min_points);
+    verification.min_weighed_inliers = 0;
+    verification.min_weighed_inlier_share = 0;
+    return changed;
 }
 
 void timed_parallel_for(int num_threads,

@@ -48,7 +48,7 @@ class FrameMotions
     FrameMotions(const LoopDetector& detector,
                  const std::vector<FrameId>& frames,
                  const TDetectorOptions& options)
-        : detector_(detector), frames_(frames), poses_(options)
+        : detector_(detector), frames_(frames), poses_(without_doubt(options))
     {
     }
 

@@ -34,6 +34,10 @@ class PairPoses
     RelativePoseEstimator poses_;
 };
 
+/** The options for pairs of frames that are known to show one place, as those taken one after the
+ *  other: their matches need not prove it, so that as few inliers as a pose takes will do. */
+TDetectorOptions without_doubt(const TDetectorOptions& options);
+
 /** parallel_for() whose bodies time their stages: the times are added up in the order of i. */
 void timed_parallel_for(int num_threads,
                         std::size_t count,
