@@ -51,7 +51,17 @@ OutputFolder::~OutputFolder()
 void OutputFolder::remove_unfinished_files() const
 {
     std::error_code ignored;  // they are in nobody's way
-    for (const std::string name : {"frames.csv", "loops.csv", "summary.json"})
+    for (const std::string name : {"frames.csv",
+                                   "loops.csv",
+                                   "candidates.csv",
+                                   "poses.graph",
+                                   "poses.g2o",
+                                   "trajectory_input.tum",
+                                   "trajectory_optimized.tum",
+                                   "trajectory_input.kitti",
+                                   "trajectory_optimized.kitti",
+                                   "map.simplemap",
+                                   "summary.json"})
         for (const auto& entry : std::filesystem::directory_iterator(path_, ignored))
             if (entry.path().filename().string().rfind(name + ".part-", 0) == 0)
                 std::filesystem::remove(entry.path(), ignored);
