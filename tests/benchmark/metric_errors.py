@@ -117,7 +117,8 @@ def main():
     graph = os.path.join(run, "poses.graph")
     errors = edge_errors(read_graph(graph)[1], pairs, by_frame) if os.path.exists(graph) else (
         np.full((1, 4), math.nan))
-    medians = np.nanmedian(errors, 0)
+    # A 2D graph has no edges in space to compare.
+    medians = errors[0] if np.isnan(errors).all() else np.nanmedian(errors, 0)
     before = after_ours = left = math.nan
     tum = os.path.join(run, "trajectory_input.tum")
     if os.path.exists(tum):
