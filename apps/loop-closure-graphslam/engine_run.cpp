@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "engine_run.h"
+
+#include "fild/core/whole_file.h"
+#include "fild/graph/trajectory_files.h"
+#include "fild/graphslam/odometry_nrd.h"
+#include "fild/graphslam/visual_loop_erd.h"
+#include "fild/rawlog/rawlog_reader.h"
+#include "interruption.h"
+#include "mrpt_engine.h"
+#include "progress_line.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <vector>
+
+namespace fild
+{
+namespace
+{
+/** MRPT's optimiser, whose whole-graph step the app may ask for. */
+template <class Graph>
+class CWholeGraphGSO : public mrpt::graphslam::optimizers::CLevMarqGSO<Graph>
+{
+ public:
+    void optimizeWholeGraph() { this->_optimizeGraph(true); }
+};
+
+/** The engine with its deciders. */
+template <class Graph>
+class EngineRun
+{
+ public:
+    explicit EngineRun(const EngineRequest& request)
+        : request_(request),
+          visual_(request.rawlog),
+          engine_(request.config,
+                  request.rawlog,
+                  "",
+                  nullptr,
+                  &nodes_,
+                  request.with_loops ? static_cast<EdgeDecider*>(&visual_) : &none_,
+                  &optimizer_)
+    {
+    }
+
+    EngineResult run()
+    {
+        read_rawlog();
+        const auto& graph = engine_.getGraph();
+        if (graph.nodeCount() == 0)
+            throw std::runtime_error(request_.rawlog +
+                                     ": no graph, for no odometry tells that the robot moved by "
+                                     "registration_max_distance or registration_max_angle");
+        if (request_.with_loops) visual_.finish();
+        optimizer_.optimizeWholeGraph();
+        write();
+        EngineResult result;
+        result.nodes = graph.nodeCount();
+        result.loop_edges = visual_.numRegisteredLoops();
+        result.odometry_edges = graph.edgeCount() - result.loop_edges;
+        if (request_.with_loops) result.withheld = visual_.report().withheld;
+        return result;
+    }
+
+ private:
+    using EdgeDecider = mrpt::graphslam::deciders::CEdgeRegistrationDecider<Graph>;
+
+    void read_rawlog()
+    {
+        RawlogReader reader(request_.rawlog);
+        ProgressLine progress(request_.quiet, "loop edges");
+        std::size_t steps = 0;
+        while (true)
+        {
+            if (interrupted()) throw std::runtime_error("interrupted");
+            auto [observation, actions] = reader.next_entry();
+            if (!observation && !actions) break;
+            take(std::move(observation), std::move(actions));
+            progress.update(reader.fraction_read(), ++steps, visual_.numRegisteredLoops());
+        }
+        step_with_actions();
+    }
+
+    /** Observations are a step each; actions are one with the observations up to the next ones. */
+    void take(mrpt::obs::CObservation::Ptr observation, mrpt::obs::CActionCollection::Ptr actions)
+    {
+        if (actions && actions->size() > 0)
+        {
+            step_with_actions();
+            actions_ = std::move(actions);
+            observations_ = mrpt::obs::CSensoryFrame::Create();
+        }
+        else if (observation && actions_)
+            observations_->insert(observation);
+        else if (observation)
+            engine_.execGraphSlamStep(observation, entry_);
+    }
+
+    void step_with_actions()
+    {
+        if (!actions_) return;
+        mrpt::obs::CObservation::Ptr none;
+        engine_._execGraphSlamStep(actions_, observations_, none, entry_);
+        actions_.reset();
+    }
+
+    void write() const
+    {
+        namespace fs = std::filesystem;
+        fs::create_directories(request_.output);
+        const auto& graph = engine_.getGraph();
+        WholeFile file((fs::path(request_.output) / "poses.graph").string());
+        graph.writeAsText(file.stream());
+        file.commit();
+        std::vector<TrajectoryPose> poses;
+        const auto& timestamps = nodes_.getNodeTimestamps();
+        for (const auto& [id, pose] : graph.nodes)
+            poses.push_back({FrameId{id}, timestamps.at(id), mrpt::poses::CPose3D(pose), 0});
+        write_trajectory(
+            (fs::path(request_.output) / "trajectory.tum").string(), poses, TrajectoryFormat::tum);
+    }
+
+    EngineRequest request_;
+    COdometryNRD<Graph> nodes_;
+    CVisualLoopERD<Graph> visual_;
+    mrpt::graphslam::deciders::CEmptyERD<Graph> none_;
+    CWholeGraphGSO<Graph> optimizer_;
+    mrpt::graphslam::CGraphSlamEngine<Graph> engine_;
+    mrpt::obs::CActionCollection::Ptr actions_;
+    mrpt::obs::CSensoryFrame::Ptr observations_;
+    std::size_t entry_ = 0;
+};
+}  // namespace
+
+EngineResult run_engine(const EngineRequest& request)
+{
+    catch_interruption();
+    RawlogReader(request.rawlog);  // before the network is loaded: is it one?
+    try
+    {
+        if (request.dimensions == GraphDimensions::planar)
+            return EngineRun<mrpt::graphs::CNetworkOfPoses2DInf>(request).run();
+        return EngineRun<mrpt::graphs::CNetworkOfPoses3DInf>(request).run();
+    }
+    catch (const mrpt::ExceptionWithCallBackBase& error)
+    {
+        throw std::runtime_error(error.originalWhat);  // the user has no use for MRPT's call stack
+    }
+}
+
+}  // namespace fild
