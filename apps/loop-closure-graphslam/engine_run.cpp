@@ -10,20 +10,52 @@
 #include "mrpt_engine.h"
 #include "progress_line.h"
 
+#include <cstdio>
 #include <filesystem>
+#include <iostream>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace fild
 {
 namespace
 {
-/** MRPT's optimiser, whose whole-graph step the app may ask for. */
+/** MRPT's optimiser, which can be asked for the whole graph and keeps its times to itself. */
 template <class Graph>
 class CWholeGraphGSO : public mrpt::graphslam::optimizers::CLevMarqGSO<Graph>
 {
  public:
+    CWholeGraphGSO() { this->m_time_logger.disable(); }
     void optimizeWholeGraph() { this->_optimizeGraph(true); }
+};
+
+/** MRPT's engine, which keeps its times to itself. */
+template <class Graph>
+class CSilentEngine : public mrpt::graphslam::CGraphSlamEngine<Graph>
+{
+ public:
+    template <class... Arguments>
+    explicit CSilentEngine(const Arguments&... arguments)
+        : mrpt::graphslam::CGraphSlamEngine<Graph>(arguments...)
+    {
+        this->m_time_logger.disable();
+    }
+};
+
+/** Nothing reaches std::cout while this lives: what engine and optimiser say before they have read
+ *  class_verbosity. */
+class SilentOutput
+{
+ public:
+    SilentOutput() : shown_(std::cout.rdbuf(nullptr)) {}
+    SilentOutput(const SilentOutput&) = delete;
+    SilentOutput& operator=(const SilentOutput&) = delete;
+    ~SilentOutput() { std::cout.rdbuf(shown_); }
+
+ private:
+    std::streambuf* shown_;
 };
 
 /** The engine with its deciders. */
@@ -36,8 +68,8 @@ class EngineRun
           visual_(request.rawlog),
           engine_(request.config,
                   request.rawlog,
-                  "",
-                  nullptr,
+                  std::string(),
+                  kNoWindow,
                   &nodes_,
                   request.with_loops ? static_cast<EdgeDecider*>(&visual_) : &none_,
                   &optimizer_)
@@ -64,20 +96,24 @@ class EngineRun
     }
 
  private:
+    static constexpr mrpt::graphslam::CWindowManager* kNoWindow = nullptr;
     using EdgeDecider = mrpt::graphslam::deciders::CEdgeRegistrationDecider<Graph>;
 
     void read_rawlog()
     {
         RawlogReader reader(request_.rawlog);
-        ProgressLine progress(request_.quiet, "loop edges");
-        std::size_t steps = 0;
+        // Without images it is a matter of seconds.
+        ProgressLine progress(request_.quiet || !request_.with_loops, "loop edges");
         while (true)
         {
             if (interrupted()) throw std::runtime_error("interrupted");
             auto [observation, actions] = reader.next_entry();
             if (!observation && !actions) break;
             take(std::move(observation), std::move(actions));
-            progress.update(reader.fraction_read(), ++steps, visual_.numRegisteredLoops());
+            if (request_.with_loops)
+                progress.update(reader.fraction_read(),
+                                visual_.report().camera_frames,
+                                visual_.numRegisteredLoops());
         }
         step_with_actions();
     }
@@ -108,7 +144,6 @@ class EngineRun
     void write() const
     {
         namespace fs = std::filesystem;
-        fs::create_directories(request_.output);
         const auto& graph = engine_.getGraph();
         WholeFile file((fs::path(request_.output) / "poses.graph").string());
         graph.writeAsText(file.stream());
@@ -126,22 +161,38 @@ class EngineRun
     CVisualLoopERD<Graph> visual_;
     mrpt::graphslam::deciders::CEmptyERD<Graph> none_;
     CWholeGraphGSO<Graph> optimizer_;
-    mrpt::graphslam::CGraphSlamEngine<Graph> engine_;
+    CSilentEngine<Graph> engine_;
     mrpt::obs::CActionCollection::Ptr actions_;
     mrpt::obs::CSensoryFrame::Ptr observations_;
     std::size_t entry_ = 0;
 };
+
+template <class Graph>
+EngineResult run_graph(const EngineRequest& request)
+{
+    std::unique_ptr<EngineRun<Graph>> run;
+    {
+        const SilentOutput silence;
+        run = std::make_unique<EngineRun<Graph>>(request);
+    }
+    return run->run();
+}
 }  // namespace
 
 EngineResult run_engine(const EngineRequest& request)
 {
     catch_interruption();
-    RawlogReader(request.rawlog);  // before the network is loaded: is it one?
+    // Before the network is loaded and hours are spent.
+    RawlogReader(request.rawlog);
+    std::filesystem::create_directories(request.output);
+    // MRPT 2.5's engine takes no class of graph for a tested one, and waits for a key.
+    if (std::freopen("/dev/null", "r", stdin) == nullptr)
+        throw std::runtime_error("cannot open /dev/null");
     try
     {
         if (request.dimensions == GraphDimensions::planar)
-            return EngineRun<mrpt::graphs::CNetworkOfPoses2DInf>(request).run();
-        return EngineRun<mrpt::graphs::CNetworkOfPoses3DInf>(request).run();
+            return run_graph<mrpt::graphs::CNetworkOfPoses2DInf>(request);
+        return run_graph<mrpt::graphs::CNetworkOfPoses3DInf>(request);
     }
     catch (const mrpt::ExceptionWithCallBackBase& error)
     {

@@ -11,16 +11,22 @@
 
 namespace fild
 {
-/** Inverse of a covariance, symmetric to the last bit. */
+/** A matrix that is symmetric but for rounding, symmetric to the last bit. */
+template <class Matrix>
+Matrix symmetric(const Matrix& matrix)
+{
+    Matrix result;
+    for (int row = 0; row < matrix.rows(); ++row)
+        for (int column = 0; column < matrix.cols(); ++column)
+            result(row, column) = (matrix(row, column) + matrix(column, row)) / 2;
+    return result;
+}
+
+/** Inverse of a covariance. */
 template <class Matrix>
 Matrix information_of(const Matrix& covariance)
 {
-    const auto inverse = covariance.inverse_LLt();
-    Matrix information;
-    for (int row = 0; row < covariance.rows(); ++row)
-        for (int column = 0; column < covariance.cols(); ++column)
-            information(row, column) = (inverse(row, column) + inverse(column, row)) / 2;
-    return information;
+    return symmetric(Matrix(covariance.inverse_LLt()));
 }
 
 /** A motion as the constraint of a graph's edge. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/graphslam/node_loops.h"
 
+#include "constraint.h"
 #include "fild/graph/pairwise_consistency.h"
 #include "fild/mapping/loop_edge.h"
 
@@ -31,12 +32,7 @@ mrpt::poses::CPose3DPDFGaussian pdf_of(const RelativeMotion& motion)
 
 GraphEdge edge_of(const RelativeMotion& motion)
 {
-    const auto inverse = motion.covariance.inverse_LLt();
-    GraphEdge edge{FrameId{0}, FrameId{1}, motion.a_from_b, {}};
-    for (int row = 0; row < 6; ++row)  // symmetric but for rounding
-        for (int column = 0; column < 6; ++column)
-            edge.information(row, column) = (inverse(row, column) + inverse(column, row)) / 2;
-    return edge;
+    return {FrameId{0}, FrameId{1}, motion.a_from_b, information_of(motion.covariance)};
 }
 }  // namespace
 
@@ -164,7 +160,7 @@ std::optional<NodeLoop> NodeLoops::settle(const MeasuredLoop& loop, const Trajec
         if (!way) return withhold(to_word(Withheld::frame_without_pose));
         pdf += pdf_of(*way);
     }
-    const RelativeMotion motion{pdf.mean, pdf.cov};
+    const RelativeMotion motion{pdf.mean, symmetric(pdf.cov)};
     const auto odometry = trajectory.motion(from.moment.id, to.moment.id);
     if (odometry && is_against_odometry(motion, *odometry))
         return withhold(to_word(LoopFate::against_odometry));

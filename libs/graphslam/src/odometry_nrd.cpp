@@ -7,6 +7,8 @@
 
 #include <mrpt/config/CConfigFile.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
