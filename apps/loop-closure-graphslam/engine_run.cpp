@@ -28,7 +28,21 @@ class CWholeGraphGSO : public mrpt::graphslam::optimizers::CLevMarqGSO<Graph>
 {
  public:
     CWholeGraphGSO() { this->m_time_logger.disable(); }
-    void optimizeWholeGraph() { this->_optimizeGraph(true); }
+
+    /** Where its damping has grown MRPT's optimiser gives up far from the optimum; begun anew, it
+     *  goes on. */
+    void optimizeWholeGraph()
+    {
+        constexpr int kMaxRounds = 50;
+        constexpr double kLeastProgress = 1e-4;  // share of the squared error that it reduces
+        double error = this->m_graph->getGlobalSquareError(true);
+        for (int i = 0; i < kMaxRounds; ++i)
+        {
+            this->_optimizeGraph(true);
+            const double before = std::exchange(error, this->m_graph->getGlobalSquareError(true));
+            if (error > (1 - kLeastProgress) * before) return;
+        }
+    }
 };
 
 /** MRPT's engine, which keeps its times to itself. */
@@ -183,7 +197,7 @@ EngineResult run_engine(const EngineRequest& request)
 {
     catch_interruption();
     // Before the network is loaded and hours are spent.
-    RawlogReader(request.rawlog);
+    const RawlogReader checked(request.rawlog);
     std::filesystem::create_directories(request.output);
     // MRPT 2.5's engine takes no class of graph for a tested one, and waits for a key.
     if (std::freopen("/dev/null", "r", stdin) == nullptr)
