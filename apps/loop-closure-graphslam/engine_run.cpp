@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -22,6 +23,36 @@ namespace fild
 {
 namespace
 {
+/** The information of an edge about an error in the tangent at its mean, which is what MRPT 2.5's
+ *  optimiser multiplies it with; an edge's own is about x, y (z), yaw (pitch, roll). */
+template <class Constraint>
+auto information_in_tangent(const Constraint& edge)
+{
+    using Pose = typename Constraint::type_value;
+    using Lie = mrpt::poses::Lie::SE<Pose::rotation_dimensions>;
+    constexpr int kSize = static_cast<int>(Constraint::state_length);
+    constexpr double kStep = 1e-6;  // m and rad
+    mrpt::math::CMatrixFixed<double, kSize, kSize> by_tangent;  // derivative of the parameters
+    for (int k = 0; k < kSize; ++k)
+    {
+        typename Lie::tangent_vector step;
+        step.fill(0);
+        step[k] = kStep;
+        const Pose after = edge.mean + Lie::exp(step);
+        step[k] = -kStep;
+        const Pose before = edge.mean + Lie::exp(step);
+        for (int i = 0; i < kSize; ++i)
+        {
+            const bool is_angle = i >= static_cast<int>(Pose::rotation_dimensions);
+            const auto index = static_cast<unsigned int>(i);
+            const double change = after[index] - before[index];
+            by_tangent(i, k) = (is_angle ? mrpt::math::wrapToPi(change) : change) / (2 * kStep);
+        }
+    }
+    return mrpt::math::CMatrixFixed<double, kSize, kSize>(
+        by_tangent.asEigen().transpose() * edge.cov_inv.asEigen() * by_tangent.asEigen());
+}
+
 /** MRPT's optimiser, which can be asked for the whole graph and keeps its times to itself. */
 template <class Graph>
 class CWholeGraphGSO : public mrpt::graphslam::optimizers::CLevMarqGSO<Graph>
@@ -29,19 +60,20 @@ class CWholeGraphGSO : public mrpt::graphslam::optimizers::CLevMarqGSO<Graph>
  public:
     CWholeGraphGSO() { this->m_time_logger.disable(); }
 
-    /** Where its damping has grown MRPT's optimiser gives up far from the optimum; begun anew, it
-     *  goes on. */
-    void optimizeWholeGraph()
+    /** MRPT's optimiser takes a step only when it reduces the squared error without information. A
+     *  damped step follows the error with information, and may not: with the damping that it
+     *  begins with by itself it gives up at once where most of the error is in few edges. So it
+     *  begins with next to none. */
+    void optimizeWholeGraph() const
     {
-        constexpr int kMaxRounds = 50;
-        constexpr double kLeastProgress = 1e-4;  // share of the squared error that it reduces
-        double error = this->m_graph->getGlobalSquareError(true);
-        for (int i = 0; i < kMaxRounds; ++i)
-        {
-            this->_optimizeGraph(true);
-            const double before = std::exchange(error, this->m_graph->getGlobalSquareError(true));
-            if (error > (1 - kLeastProgress) * before) return;
-        }
+        constexpr double kLittleDamping = 1e-3;
+        auto graph = *this->m_graph;
+        for (auto& edge : graph.edges) edge.second.cov_inv = information_in_tangent(edge.second);
+        auto options = this->opt_params.cfg;
+        options["initial_lambda"] = kLittleDamping;
+        mrpt::graphslam::TResultInfoSpaLevMarq result;
+        mrpt::graphslam::optimize_graph_spa_levmarq(graph, result, nullptr, options);
+        this->m_graph->nodes = graph.nodes;
     }
 };
 
@@ -160,6 +192,8 @@ class EngineRun
         namespace fs = std::filesystem;
         const auto& graph = engine_.getGraph();
         WholeFile file((fs::path(request_.output) / "poses.graph").string());
+        // As many digits as a number has: information of six is not always positive definite.
+        file.stream().precision(std::numeric_limits<double>::max_digits10);
         graph.writeAsText(file.stream());
         file.commit();
         std::vector<TrajectoryPose> poses;
