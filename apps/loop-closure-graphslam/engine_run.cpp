@@ -71,7 +71,7 @@ class CWholeGraphGSO : public mrpt::graphslam::optimizers::CLevMarqGSO<Graph>
         for (auto& edge : graph.edges) edge.second.cov_inv = information_in_tangent(edge.second);
         auto options = this->opt_params.cfg;
         options["initial_lambda"] = kLittleDamping;
-        mrpt::graphslam::TResultInfoSpaLevMarq result;
+        mrpt::graphslam::TResultInfoSpaLevMarq result{};
         mrpt::graphslam::optimize_graph_spa_levmarq(graph, result, nullptr, options);
         this->m_graph->nodes = graph.nodes;
     }
@@ -192,7 +192,7 @@ class EngineRun
         namespace fs = std::filesystem;
         const auto& graph = engine_.getGraph();
         WholeFile file((fs::path(request_.output) / "poses.graph").string());
-        // As many digits as a number has: information of six is not always positive definite.
+        // As many digits as a number has: information may be nearly singular.
         file.stream().precision(std::numeric_limits<double>::max_digits10);
         graph.writeAsText(file.stream());
         file.commit();

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/graphs/CNetworkOfPoses.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -99,6 +100,31 @@ class LoopClosureGraphslam : public ::testing::Test
             .ate_rmse;
     }
 
+    /** Of the edges in poses.graph; MRPT's reader loses what stands between the angles in 3D. */
+    std::vector<Eigen::MatrixXd> informations() const
+    {
+        std::vector<Eigen::MatrixXd> all;
+        std::istringstream file(read_text(path("out/poses.graph")));
+        for (std::string line; std::getline(file, line);)
+        {
+            std::istringstream words(line);
+            std::string key;
+            words >> key;
+            if (key.rfind("EDGE", 0) != 0) continue;
+            const int size = key == "EDGE3" ? 6 : 3;
+            double number = 0;
+            for (int i = 0; i < 2 + size; ++i) words >> number;  // nodes and pose
+            all.emplace_back(size, size);
+            for (int row = 0; row < size; ++row)
+                for (int column = row; column < size; ++column)
+                {
+                    EXPECT_TRUE(words >> number);
+                    all.back()(row, column) = all.back()(column, row) = number;
+                }
+        }
+        return all;
+    }
+
     /** Runs with loops and without. */
     template <class Graph>
     void expect_loops_to_help(const std::string& more) const
@@ -110,13 +136,15 @@ class LoopClosureGraphslam : public ::testing::Test
         EXPECT_EQ(with.nodes, without.nodes);
         EXPECT_EQ(with.odometry_edges, with.nodes - 1);
         EXPECT_GE(with.loop_edges, 8U);
-        EXPECT_LT(error(), 0.95 * error_without);
+        EXPECT_LT(error(), 0.9 * error_without);
         RecordProperty("error_without", std::to_string(error_without));
         RecordProperty("error_with", std::to_string(error()));
         Graph graph;
         graph.loadFromTextFile(path("out/poses.graph"), false);
         EXPECT_EQ(graph.nodeCount(), with.nodes);
         EXPECT_EQ(graph.edgeCount(), with.odometry_edges + with.loop_edges);
+        for (const auto& information : informations())
+            EXPECT_EQ(information.llt().info(), Eigen::Success);
     }
 
     void expect_error(const std::string& more, int exit_code, const std::string& message) const
