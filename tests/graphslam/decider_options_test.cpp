@@ -24,7 +24,7 @@ class DeciderOptionsTest : public ::testing::Test
 
     std::string engine(const std::string& keys) const
     {
-        const auto path = folder_.path("engine.ini");
+        auto path = folder_.path("engine.ini");
         fild::testing::write_text(path, "[Decider]\n" + keys);
         return path;
     }

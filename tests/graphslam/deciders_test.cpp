@@ -62,7 +62,17 @@ class DecidersTest : public ::testing::Test
 
 using Graphs =
     ::testing::Types<mrpt::graphs::CNetworkOfPoses2DInf, mrpt::graphs::CNetworkOfPoses3DInf>;
-TYPED_TEST_SUITE(DecidersTest, Graphs);
+
+/** How the two are called in the names of the tests. */
+struct GraphName
+{
+    template <class Graph>
+    static std::string GetName(int)
+    {
+        return Graph::constraint_t::is_3D() ? "3d" : "2d";
+    }
+};
+TYPED_TEST_SUITE(DecidersTest, Graphs, GraphName);
 
 TYPED_TEST(DecidersTest, BuildAGraphWithLoops)
 {

@@ -92,6 +92,7 @@ class LoopClosureGraphslam : public ::testing::Test
     {
         const auto truth = fild::read_tum_trajectory(path("town.gt.tum"));
         std::vector<fild::PosedFrame> frames;
+        frames.reserve(truth.size());
         for (const auto& pose : truth) frames.push_back({pose.timestamp, pose.pose});
         return trajectory_error(fild::read_tum_trajectory(path("out/trajectory.tum")),
                                 frames,
