@@ -28,6 +28,7 @@ test_packages=(
   libgtest-dev libgmock-dev             # unit tests
   mrpt-apps mrpt-common                 # rawlog-edit, graph-slam, rawlogs nobody here wrote
   libmrpt-graphs-dev                    # reads our pose graphs back
+  libmrpt-graphslam-dev                 # -DFILD_BUILD_GRAPHSLAM=ON; only here: brings wxWidgets along
   python3-opencv                        # checks the converted model
   clang-format clang-tidy clang-tools   # formatting and lint
 )
