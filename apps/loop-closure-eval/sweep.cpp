@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sweep.h"
+
+#include "fild/core/parallel_for.h"
+#include "fild/detector/loop_detector.h"
+#include "fild/rawlog/frame_builder.h"
+#include "fild/rawlog/rawlog_reader.h"
+#include "fild/stream/loop_closure_stream.h"
+#include "interruption.h"
+#include "progress_line.h"
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/obs/CObservation.h>
+#include <opencv2/core/utility.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+/** One run: a point of the sweep with one seed. */
+struct Run
+{
+    TLoopClosureStreamOptions options;
+    std::optional<RunEvaluation> evaluation;  ///< none: not done
+    StageTimes times;
+};
+
+/** The features of all frames; what they depend on is in the key. */
+struct Recording
+{
+    std::vector<FrameFeatures> frames;
+    std::size_t global_dimension = 0;
+};
+
+void require_detector_section(const std::string& key, TLoopClosureStreamOptions& options)
+{
+    const auto section = key.substr(0, key.find('.'));
+    std::string known;
+    for (const auto& [name, ignored] : options.sections())
+    {
+        if (name == section) return;
+        known.append(" [").append(name).append("]");
+    }
+    throw std::invalid_argument("no loop closure depends on " + key + "; sections:" + known);
+}
+
+TLoopClosureStreamOptions options_of_run(const SweepRequest& request,
+                                         const std::vector<std::string>& values,
+                                         std::optional<int> seed)
+{
+    auto overrides = request.overrides;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        overrides.push_back(request.keys[i].key + "=" + values[i]);
+    if (seed) overrides.push_back("runtime.seed=" + std::to_string(*seed));
+    return load_stream_options(request.config, overrides);
+}
+
+/** What descriptors and keypoints depend on, as text. */
+std::string feature_key_of(TLoopClosureStreamOptions& options)
+{
+    std::string key;
+    for (const Options* section : std::initializer_list<const Options*>{
+             &options.input, &options.detector.global_descriptor, &options.detector.local_features})
+        for (const auto& [name, value] : section->values())
+            key.append(name).append("=").append(value).append("\n");
+    return key;
+}
+
+/** Hands every camera observation to `use` until the end of the rawlog, the limit of frames or an
+ *  interruption. */
+template <class Use>
+void for_each_frame(const SweepRequest& request, FrameBuilder& builder, Use&& use)
+{
+    RawlogReader reader(request.rawlog);
+    std::size_t frames = 0;
+    while ((frames < request.max_frames || request.max_frames == 0) && !interrupted())
+    {
+        const auto observation = reader.next();
+        if (!observation) return;
+        if (!builder.accepts(*observation)) continue;
+        ++frames;
+        const double of_limit =
+            request.max_frames == 0
+                ? 0
+                : static_cast<double>(frames) / static_cast<double>(request.max_frames);
+        use(*observation, std::max(reader.fraction_read(), of_limit));
+    }
+}
+
+/** Which frames the rawlog has, for the ground truth: without reading an image. */
+std::vector<FrameVerdict> frames_of(const SweepRequest& request, const TInputOptions& input)
+{
+    FrameBuilder builder(input, request.rawlog);
+    std::vector<FrameVerdict> frames;
+    for_each_frame(request,
+                   builder,
+                   [&](const mrpt::obs::CObservation& observation, double)
+                   {
+                       FrameVerdict frame;
+                       frame.frame = builder.next_id();
+                       frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
+                       frame.sensor_label = observation.sensorLabel;
+                       frames.push_back(frame);
+                       builder.skip(observation);
+                   });
+    if (interrupted()) throw std::runtime_error("interrupted");
+    if (frames.empty())
+        throw std::runtime_error(request.rawlog +
+                                 " has no camera observation of the wanted camera; " +
+                                 builder.describe_labels());
+    return frames;
+}
+
+Recording extract_features(const SweepRequest& request, TLoopClosureStreamOptions options)
+{
+    options.detector.runtime.num_threads = request.jobs;
+    FrameBuilder builder(options.input, request.rawlog);
+    FrameFeatureExtractor extractor(options.detector);
+    Recording recording{{}, extractor.global_dimension()};
+    StageTimes times;
+    std::size_t keypoints = 0;
+    ProgressLine progress(request.quiet, "keypoints");
+    for_each_frame(
+        request,
+        builder,
+        [&](const mrpt::obs::CObservation& observation, double fraction)
+        {
+            recording.frames.push_back(extractor.extract(builder.build(observation), times));
+            keypoints += recording.frames.back().local.size();
+            progress.update(fraction, recording.frames.size(), keypoints);
+        });
+    return recording;
+}
+
+FrameDescription hash(const FrameHasher& hasher, const FrameFeatures& features, StageTimes& times)
+{
+    const StageTimer timer(times, "hashing");
+    return hasher.hash(features);
+}
+
+/** The detector over the whole recording; nothing when it was interrupted.
+ *  \param on_frame  called after every frame. */
+std::optional<RunResults> detect(const Recording& recording,
+                                 TDetectorOptions options,
+                                 StageTimes& times,
+                                 const std::function<void()>& on_frame)
+{
+    options.runtime.num_threads = 1;  // the runs themselves are side by side
+    const FrameHasher hasher(options);
+    LoopDetector detector(options, recording.global_dimension);
+    RunResults results;
+    results.answers.emplace();
+    for (const auto& features : recording.frames)
+    {
+        if (interrupted()) return std::nullopt;
+        auto outcome = detector.process(hash(hasher, features, times), times);
+        results.frames.push_back(std::move(outcome.verdict));
+        results.answers->push_back(std::move(outcome.considered));
+        on_frame();
+    }
+    return results;
+}
+
+/** Runs that share a recording, side by side. */
+void evaluate_runs(const SweepRequest& request,
+                   const Recording& recording,
+                   const LoopTruth& truth,
+                   const std::vector<Run*>& runs)
+{
+    ProgressLine progress(request.quiet, "of " + std::to_string(runs.size()) + " runs");
+    std::mutex mutex;  // of the progress line and its counts
+    std::size_t frames = 0;
+    std::size_t done = 0;
+    const auto all_frames = static_cast<double>(runs.size() * recording.frames.size());
+    const auto count_frame = [&]
+    {
+        const std::lock_guard lock(mutex);
+        ++frames;
+        progress.update(static_cast<double>(frames) / all_frames, frames, done);
+    };
+    const auto evaluate_run = [&](std::size_t i)
+    {
+        auto& run = *runs[i];
+        const auto results = detect(recording, run.options.detector, run.times, count_frame);
+        if (!results) return;
+        run.evaluation = evaluate_loops(*results, truth);
+        const std::lock_guard lock(mutex);
+        ++done;
+    };
+    parallel_for(request.jobs, runs.size(), evaluate_run);
+}
+
+/** Of each point, the runs with each of the seeds. */
+std::vector<std::vector<Run>> plan(const SweepRequest& request)
+{
+    std::vector<std::vector<Run>> points;
+    for (const auto& values : combinations_of(request.keys))
+    {
+        auto& runs = points.emplace_back();
+        for (const int seed : request.seeds)
+            runs.push_back({options_of_run(request, values, seed), {}, {}});
+        if (request.seeds.empty())
+            runs.push_back({options_of_run(request, values, std::nullopt), {}, {}});
+    }
+    return points;
+}
+
+/** The runs in groups of equal features, in the order of the first of each. */
+std::vector<std::vector<Run*>> group_by_features(std::vector<std::vector<Run>>& points)
+{
+    std::vector<std::pair<std::string, std::vector<Run*>>> groups;
+    for (auto& point : points)
+        for (auto& run : point)
+        {
+            const auto key = feature_key_of(run.options);
+            auto group = std::find_if(groups.begin(),
+                                      groups.end(),
+                                      [&](const auto& other) { return other.first == key; });
+            if (group == groups.end()) group = groups.insert(group, {key, {}});
+            group->second.push_back(&run);
+        }
+    std::vector<std::vector<Run*>> runs;
+    runs.reserve(groups.size());
+    for (auto& group : groups) runs.push_back(std::move(group.second));
+    return runs;
+}
+
+/** Takes over the runs of each point that is complete. */
+void collect(std::vector<std::vector<Run>>& points,
+             const std::vector<std::vector<std::string>>& values,
+             SweepReport& report)
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const auto is_done = [](const Run& run) { return run.evaluation.has_value(); };
+        if (!std::all_of(points[i].begin(), points[i].end(), is_done)) continue;
+        auto& point = report.points.emplace_back();
+        point.values = values[i];
+        for (auto& run : points[i])
+        {
+            point.runs.push_back(std::move(*run.evaluation));
+            point.seeds.push_back(run.options.detector.runtime.seed);
+            point.times.merge(run.times);
+        }
+    }
+    if (report.points.size() < points.size())
+        report.ended_early = "interrupted after " + std::to_string(report.points.size()) + " of " +
+                             std::to_string(points.size()) + " points";
+}
+
+void require_sweepable(const std::vector<SweptKey>& keys)
+{
+    TLoopClosureStreamOptions known;
+    for (const auto& swept : keys)
+    {
+        require_detector_section(swept.key, known);
+        if (swept.key == "runtime.seed")
+            throw std::invalid_argument("runtime.seed is swept by --seeds");
+        const auto is_same = [&](const SweptKey& other) { return other.key == swept.key; };
+        if (std::count_if(keys.begin(), keys.end(), is_same) > 1)
+            throw std::invalid_argument(swept.key + " is swept twice");
+    }
+}
+}  // namespace
+
+SweepReport sweep(const SweepRequest& request)
+{
+    require_sweepable(request.keys);
+    catch_interruption();
+    cv::setNumThreads(1);  // the runs are side by side
+    auto points = plan(request);
+    SweepReport report;
+    report.rawlog = request.rawlog;
+    report.config = request.config;
+    report.overrides = request.overrides;
+    for (const auto& swept : request.keys) report.keys.push_back(swept.key);
+    for (const auto& runs : group_by_features(points))
+    {
+        const auto& options = runs.front()->options;
+        const auto truth = load_truth(request.truth, frames_of(request, options.input));
+        report.truth = {request.truth.file, truth.content, truth.remarks, request.truth.protocol};
+        evaluate_runs(request, extract_features(request, options), *truth.truth, runs);
+    }
+    collect(points, combinations_of(request.keys), report);
+    return report;
+}
+
+}  // namespace fild
