@@ -6,6 +6,9 @@
 #include "evaluate.h"
 #include "fild/report/evaluation_report.h"
 #include "fild/report/sweep_report.h"
+#include "output_folder.h"
+
+#include <optional>
 
 namespace
 {
@@ -20,8 +23,10 @@ void score_runs(const fild::EvalOptions& options)
 
 void score_sweep(const fild::EvalOptions& options)
 {
+    std::optional<fild::OutputFolder> folder;  // a bad one is told before hours of runs
+    if (!options.output.empty()) folder.emplace(options.output);
     const auto report = fild::sweep(*options.sweep);
-    if (!options.output.empty()) fild::write_sweep(report, options.output);
+    if (folder && !report.points.empty()) fild::write_sweep(report, options.output);
     std::cout << fild::to_text(report, kMaxWrongLoopsShown);
     if (!report.ended_early.empty()) throw std::runtime_error(report.ended_early);
 }

@@ -36,6 +36,7 @@ struct Recording
 {
     std::vector<FrameFeatures> frames;
     std::size_t global_dimension = 0;
+    std::string first_missing_image;  ///< empty: none was missing
 };
 
 void require_detector_section(const std::string& key, TLoopClosureStreamOptions& options)
@@ -122,7 +123,7 @@ Recording extract_features(const SweepRequest& request, TLoopClosureStreamOption
     options.detector.runtime.num_threads = request.jobs;
     FrameBuilder builder(options.input, request.rawlog);
     FrameFeatureExtractor extractor(options.detector);
-    Recording recording{{}, extractor.global_dimension()};
+    Recording recording{{}, extractor.global_dimension(), {}};
     StageTimes times;
     std::size_t keypoints = 0;
     ProgressLine progress(request.quiet, "keypoints");
@@ -135,7 +136,27 @@ Recording extract_features(const SweepRequest& request, TLoopClosureStreamOption
             keypoints += recording.frames.back().local.size();
             progress.update(fraction, recording.frames.size(), keypoints);
         });
+    recording.first_missing_image = builder.first_missing_image();
     return recording;
+}
+
+/** What is to be said of frames that could not be used.
+ *  \throw std::runtime_error when none could. */
+std::vector<std::string> remarks_on(const Recording& recording)
+{
+    const auto is_unusable = [](const FrameFeatures& frame)
+    { return frame.defect != Rejection::none; };
+    const auto unusable =
+        std::count_if(recording.frames.begin(), recording.frames.end(), is_unusable);
+    if (unusable == 0) return {};
+    auto remark = std::to_string(unusable) + " of " + std::to_string(recording.frames.size()) +
+                  " frames could not be used";
+    if (!recording.first_missing_image.empty())
+        remark += "; the first image that is missing is " + recording.first_missing_image +
+                  ", set [input] images_dir to the folder of the images";
+    if (static_cast<std::size_t>(unusable) == recording.frames.size() && !interrupted())
+        throw std::runtime_error(remark);
+    return {remark};
 }
 
 FrameDescription hash(const FrameHasher& hasher, const FrameFeatures& features, StageTimes& times)
@@ -285,7 +306,9 @@ SweepReport sweep(const SweepRequest& request)
         const auto& options = runs.front()->options;
         const auto truth = load_truth(request.truth, frames_of(request, options.input));
         report.truth = {request.truth.file, truth.content, truth.remarks, request.truth.protocol};
-        evaluate_runs(request, extract_features(request, options), *truth.truth, runs);
+        const auto recording = extract_features(request, options);
+        report.remarks = remarks_on(recording);
+        evaluate_runs(request, recording, *truth.truth, runs);
     }
     collect(points, combinations_of(request.keys), report);
     return report;

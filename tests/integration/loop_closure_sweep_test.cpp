@@ -119,9 +119,9 @@ TEST_F(Sweep, HasARowForEachCombinationAndARunForEachSeed)
                 AllOf(HasSubstr("\\texttt{hashing.bits}"),
                       HasSubstr("min\\_weighed\\_inliers"),
                       HasSubstr("1.000 [1.000, 1.000]")));
-    EXPECT_THAT(output("sweep.svg"),
-                AllOf(HasSubstr(">hashing.bits<"),
-                      HasSubstr("verification.min_weighed_inliers = 100000")));
+    EXPECT_THAT(
+        output("sweep.svg"),
+        AllOf(HasSubstr(">hashing.bits<"), HasSubstr("verification.min_weighed_inliers = 100000")));
     EXPECT_THAT(finished.out,
                 AllOf(HasSubstr("hashing.bits"), HasSubstr("mean [min, max] over 3 seeds")));
 }
@@ -187,6 +187,39 @@ TEST_F(Sweep, StopsAtTheLimitOfFrames)
     ASSERT_EQ(sweep("--max-frames 10 --output out").exit_code, 0);
     EXPECT_EQ(rows_of(output("sweep_runs.csv")).at(0).at("recall"), "1.000000");
     EXPECT_EQ(rows_of(output("sweep_runs.csv")).at(0).at("accepted"), "2");
+}
+
+TEST_F(Sweep, SaysWhichImagesAreMissing)
+{
+    fild::testing::Objects objects;
+    for (double seconds = 0; seconds < 16; ++seconds)
+        objects.push_back(fild::testing::external_observation("gone.png", seconds));
+    fild::testing::write_gz(folder_.path("run.rawlog"), objects);
+    EXPECT_THAT(
+        error("", 1),
+        AllOf(HasSubstr("16 of 16 frames"), HasSubstr("gone.png"), HasSubstr("images_dir")));
+    auto some = fild::testing::two_laps();
+    some.at(3) = objects.at(3);
+    fild::testing::write_gz(folder_.path("run.rawlog"), some);
+    EXPECT_THAT(sweep("").out, HasSubstr("1 of 16 frames could not be used"));
+}
+
+TEST_F(Sweep, TellsABadOutputFolderBeforeItRuns)
+{
+    EXPECT_THAT(error("--output run.ini/out", 1), HasSubstr("run.ini/out"));
+}
+
+TEST_F(Sweep, KeepsEarlierResultsWhenInterruptedBeforeTheFirstPoint)
+{
+    ASSERT_EQ(sweep("--output out").exit_code, 0);
+    const auto before = output("sweep.csv");
+    const auto finished =
+        command("timeout --signal=INT 1 '" LOOP_CLOSURE_EVAL
+                "' --rawlog run.rawlog --config run.ini --ground-truth loops.txt --seeds 1-1000 "
+                "--output out");
+    EXPECT_NE(finished.exit_code, 0);
+    EXPECT_THAT(finished.err, HasSubstr("loop-closure-eval: interrupted"));
+    EXPECT_EQ(output("sweep.csv"), before);
 }
 
 TEST_F(Sweep, RefusesWhatMakesNoSense)

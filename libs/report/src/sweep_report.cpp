@@ -40,9 +40,11 @@ std::string joined(const std::vector<std::string>& words)
 std::string headline_of(const SweepReport& report)
 {
     std::ostringstream text;
-    text << "recording     " << report.rawlog << "\nconfiguration " << report.config
-         << (report.overrides.empty() ? "" : " with ") << joined(report.overrides)
-         << "\nground truth  " << report.truth.file << ": " << report.truth.content << '\n';
+    text << "recording     " << report.rawlog << '\n';
+    for (const auto& remark : report.remarks) text << "              " << remark << '\n';
+    text << "configuration " << report.config << (report.overrides.empty() ? "" : " with ")
+         << joined(report.overrides) << "\nground truth  " << report.truth.file << ": "
+         << report.truth.content << '\n';
     for (const auto& remark : report.truth.remarks) text << "              " << remark << '\n';
     text << "protocol      " << to_word(report.truth.protocol) << ": "
          << rule_of(report.truth.protocol) << '\n';

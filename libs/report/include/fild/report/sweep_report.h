@@ -26,6 +26,7 @@ struct SweepReport
     std::string rawlog;
     std::string config;
     std::vector<std::string> overrides;  ///< "section.key=value", in force at all points
+    std::vector<std::string> remarks;  ///< on the recording
     TruthDescription truth;
     std::vector<std::string> keys;  ///< "section.key"; may be none
     std::vector<SweepPoint> points;
