@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/evaluation/protocol.h"
 #include "fild/evaluation/trajectory_error.h"
+#include "sweep.h"
+#include "truth.h"
 
 #include <optional>
 #include <string>
@@ -13,13 +14,12 @@ namespace fild
 /** The command line of loop-closure-eval. */
 struct EvalOptions
 {
-    std::vector<std::string> runs;  ///< at least one
-    std::string ground_truth;
-    std::string truth_sensor;  ///< of a rawlog; empty: its only one
-    Protocol protocol;
+    std::vector<std::string> runs;  ///< at least one, unless there is a sweep
+    TruthOptions truth;
     std::vector<std::string> trajectories;  ///< instead of those in the run's folder
     std::string true_trajectory;  ///< empty: the ground truth, if it is made of poses
     TrajectoryErrorOptions trajectory_error;
+    std::optional<SweepRequest> sweep;  ///< instead of `runs`
     std::string output;  ///< empty: nothing is written
 };
 

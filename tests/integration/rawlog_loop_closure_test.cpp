@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drawn_drive.h"
 #include "frames_csv.h"
-#include "rawlog/drawn_rawlog.h"
 #include "run_command.h"
 #include "temporary_folder.h"
+#include "two_laps.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,9 +19,11 @@
 namespace
 {
 using fild::testing::Finished;
+using fild::testing::kFramesPerLap;
 using fild::testing::lines_of;
 using fild::testing::Objects;
 using fild::testing::read_text;
+using fild::testing::two_laps;
 using fild::testing::write_text;
 using ::testing::AllOf;
 using ::testing::Each;
@@ -31,30 +32,10 @@ using ::testing::Not;
 using ::testing::StartsWith;
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFramesPerLap = 8;
-
-/** The network of make_tiny_network.py tells little, so all earlier frames are candidates. */
-constexpr const char* kConfig =
-    "[global_descriptor]\nmodel_file = " FILD_TINY_NETWORK
-    "\nlayers = map\ninput_width = 4\ninput_height = 4\npooling = grid\n"
-    "[index]\ndelay_seconds = 5\ncandidates = 16\n"
-    "[hashing]\nmutual_check = true\n"
-    "[verification]\nmin_weighed_inliers = 10\n"
-    "[consistency]\nconsecutive_frames = 1\n";
-
-Objects two_laps(const std::string& label = "CAMERA1")
-{
-    Objects objects;
-    double seconds = 0;
-    for (const auto& image : fild::testing::draw_two_laps(kFramesPerLap))
-        objects.push_back(fild::testing::image_observation(image, seconds++, label));
-    return objects;
-}
-
 class RawlogLoopClosure : public ::testing::Test
 {
  protected:
-    RawlogLoopClosure() { write_text(path("run.ini"), kConfig); }
+    RawlogLoopClosure() { write_text(path("run.ini"), fild::testing::kTwoLapsConfig); }
 
     std::string path(const std::string& name) const { return folder_.path(name); }
 

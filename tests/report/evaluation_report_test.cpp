@@ -31,7 +31,7 @@ fild::RunEvaluation run_of(std::size_t loop_queries)
 fild::EvaluationReport report_of(std::vector<fild::RunEvaluation> runs)
 {
     fild::EvaluationReport report;
-    report.ground_truth_file = "loops.txt";
+    report.truth.file = "loops.txt";
     report.runs = std::move(runs);
     return report;
 }

@@ -4,11 +4,10 @@
 #include "fild/matching/code_matcher.h"
 
 #include "fild/matching/ratio_test.h"
-#include "hamming.h"
+#include "nearest_two.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -18,8 +17,6 @@ namespace fild
 {
 namespace
 {
-constexpr int kNone = std::numeric_limits<int>::max();
-
 /** The candidate's codes sorted by coarse bucket, one ordering for each hash table. */
 class BucketTables
 {
@@ -73,52 +70,13 @@ class BucketTables
     std::uint32_t round_ = 0;
 };
 
-/** The two nearest of the codes that a code was compared with. */
-struct NearestTwo
-{
-    int bits = kNone;
-    int second_bits = kNone;
-    std::size_t index = 0;
-
-    void compare(std::size_t i, int distance_bits)
-    {
-        if (distance_bits > second_bits) return;
-        if (distance_bits < bits || (distance_bits == bits && i < index))
-        {
-            second_bits = bits;
-            bits = distance_bits;
-            index = i;
-        }
-        else
-            second_bits = distance_bits;
-    }
-};
-
-NearestTwo nearest_of_all(const std::uint64_t* code, const BinaryCodes& others)
-{
-    std::vector<int> distances(others.size());
-    hamming_distances(code,
-                      others.words.data(),
-                      static_cast<std::size_t>(others.words_per_code),
-                      others.size(),
-                      distances.data());
-    NearestTwo nearest;
-    for (std::size_t i = 0; i < distances.size(); ++i) nearest.compare(i, distances[i]);
-    return nearest;
-}
-
 NearestTwo nearest_of(const std::uint64_t* code,
                       const BinaryCodes& others,
                       const std::vector<std::uint32_t>& subset)
 {
+    const auto words = static_cast<std::size_t>(others.words_per_code);
     NearestTwo nearest;
-    for (const auto i : subset)
-    {
-        int bits = 0;
-        hamming_distances(
-            code, others.code(i), static_cast<std::size_t>(others.words_per_code), 1, &bits);
-        nearest.compare(i, bits);
-    }
+    for (const auto i : subset) nearest.compare(i, hamming_distance(code, others.code(i), words));
     return nearest;
 }
 
@@ -131,8 +89,9 @@ std::vector<NearestTwo> nearest_candidates(const BinaryCodes& query,
     nearest.reserve(query.size());
     if (search == CodeSearch::exhaustive)
     {
+        const NearestCodes codes(candidate);
         for (std::size_t q = 0; q < query.size(); ++q)
-            nearest.push_back(nearest_of_all(query.code(q), candidate));
+            nearest.push_back(codes.nearest_of(query.code(q)));
         return nearest;
     }
     BucketTables tables(candidate);
@@ -167,12 +126,14 @@ std::vector<Match> CodeMatcher::match(const BinaryCodes& query, const BinaryCode
 {
     require_comparable(query, candidate, search_);
     std::vector<Match> matches;
+    const NearestCodes query_codes(query);
     const auto nearest = nearest_candidates(query, candidate, search_);
     for (std::size_t q = 0; q < nearest.size(); ++q)
     {
         const auto& [bits, second_bits, index] = nearest[q];
-        if (second_bits == kNone || !passes_ratio_test(bits, second_bits, ratio_)) continue;
-        if (mutual_check_ && nearest_of_all(candidate.code(index), query).index != q) continue;
+        if (second_bits == NearestTwo::kNone || !passes_ratio_test(bits, second_bits, ratio_))
+            continue;
+        if (mutual_check_ && query_codes.nearest_of(candidate.code(index)).index != q) continue;
         matches.push_back({q, index, bits});
     }
     return matches;

@@ -69,10 +69,10 @@ std::string evaluation_json(const EvaluationReport& report)
 {
     Json json = {
         {"ground_truth",
-         {{"file", report.ground_truth_file},
-          {"content", report.ground_truth_content},
-          {"remarks", report.ground_truth_remarks}}},
-        {"protocol", protocol_json(report.protocol)},
+         {{"file", report.truth.file},
+          {"content", report.truth.content},
+          {"remarks", report.truth.remarks}}},
+        {"protocol", protocol_json(report.truth.protocol)},
         {"remarks", report.run_remarks},
     };
     if (report.runs.size() == 1)

@@ -16,6 +16,10 @@ std::vector<std::vector<Metric>> metrics_of_runs(const EvaluationReport& report)
  *  shares only what is perfect reads 1.000, and only what is nothing 0.000. */
 std::string format_value(double value, Metric::Kind kind);
 
+/** The mean, with the least and the greatest value if there are several runs: `0.5 [0.4, 0.6]`; `-`
+ *  without any value. */
+std::string format_range(const MetricRange& range, bool several);
+
 /** The content of evaluation.json. */
 std::string evaluation_json(const EvaluationReport& report);
 

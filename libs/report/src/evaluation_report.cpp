@@ -2,27 +2,16 @@
 #include "fild/report/evaluation_report.h"
 
 #include "evaluation_parts.h"
-#include "fild/core/whole_file.h"
+#include "text_file.h"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
-#include <stdexcept>
 
 namespace fild
 {
-namespace
-{
-void write_file(const std::filesystem::path& path, const std::string& content)
-{
-    WholeFile file(path.string());
-    file.stream() << content;
-    file.commit();
-}
-}  // namespace
-
 std::string match_picture_of(const std::string& run_folder, const FrameVerdict& verdict)
 {
     const auto picture = "matches/" + std::to_string(to_index(verdict.frame)) + "_" +
@@ -53,26 +42,30 @@ std::string format_value(double value, Metric::Kind kind)
     return text.str();
 }
 
+std::string format_range(const MetricRange& range, bool several)
+{
+    if (range.runs == 0) return "-";
+    const auto kind = range.metric.kind;
+    auto mean = format_value(*range.metric.value, kind);
+    if (!several) return mean;
+    return mean + " [" + format_value(range.min, kind) + ", " + format_value(range.max, kind) + "]";
+}
+
 void write_evaluation(const EvaluationReport& report, const std::string& folder)
 {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw std::runtime_error("cannot make the output folder " + folder + ": " +
-                                 error.message());
-    const std::filesystem::path path(folder);
-    write_file(path / "wrong_loops.csv", wrong_loops_csv(report));
-    write_file(path / "curve_inliers.csv", curve_csv(report, ScoreKind::inliers));
-    write_file(path / "curve_similarity.csv", curve_csv(report, ScoreKind::similarity));
-    write_file(path / "stretches.csv", stretches_csv(report));
-    write_file(path / "runs.csv", runs_csv(report));
+    const auto path = make_folder(folder);
+    write_text_file(path / "wrong_loops.csv", wrong_loops_csv(report));
+    write_text_file(path / "curve_inliers.csv", curve_csv(report, ScoreKind::inliers));
+    write_text_file(path / "curve_similarity.csv", curve_csv(report, ScoreKind::similarity));
+    write_text_file(path / "stretches.csv", stretches_csv(report));
+    write_text_file(path / "runs.csv", runs_csv(report));
     if (std::all_of(report.runs.begin(),
                     report.runs.end(),
                     [](const RunEvaluation& run) { return run.candidates; }))
-        write_file(path / "missed_loops.csv", missed_loops_csv(report));
-    write_file(path / "evaluation.tex", evaluation_tex(report));
-    write_file(path / "precision_recall.svg", precision_recall_svg(report));
-    write_file(path / "evaluation.json", evaluation_json(report));
+        write_text_file(path / "missed_loops.csv", missed_loops_csv(report));
+    write_text_file(path / "evaluation.tex", evaluation_tex(report));
+    write_text_file(path / "precision_recall.svg", precision_recall_svg(report));
+    write_text_file(path / "evaluation.json", evaluation_json(report));
 }
 
 }  // namespace fild

@@ -45,9 +45,9 @@ std::string evaluation_tex(const EvaluationReport& report)
 {
     const bool several = report.runs.size() > 1;
     std::ostringstream tex;
-    tex << "% " << rule_of(report.protocol) << "\n% \\usepackage{booktabs}\n\\begin{tabular}{"
+    tex << "% " << rule_of(report.truth.protocol) << "\n% \\usepackage{booktabs}\n\\begin{tabular}{"
         << (several ? "lrrr" : "lr") << "}\n\\toprule\nProtocol \\texttt{"
-        << to_word(report.protocol) << "} & " << (several ? "mean & min & max" : "")
+        << to_word(report.truth.protocol) << "} & " << (several ? "mean & min & max" : "")
         << " \\\\\n\\midrule\n";
     const auto ranges = ranges_of(metrics_of_runs(report));
     for (const auto& [key, title] : kRows)

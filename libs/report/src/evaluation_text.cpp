@@ -40,15 +40,6 @@ class AlignedLines
     int value_width_;
 };
 
-std::string value_of(const MetricRange& range, bool several)
-{
-    if (range.runs == 0) return "-";
-    const auto kind = range.metric.kind;
-    auto mean = format_value(*range.metric.value, kind);
-    if (!several) return mean;
-    return mean + " [" + format_value(range.min, kind) + ", " + format_value(range.max, kind) + "]";
-}
-
 /** The metrics that are shown: all but those whose input is missing. */
 std::vector<MetricRange> shown(std::vector<MetricRange> ranges)
 {
@@ -66,9 +57,9 @@ void add_origin(AlignedLines& lines, const EvaluationReport& report)
     for (std::size_t i = 0; runs.size() > 1 && i < runs.size(); ++i)
         lines.words("run " + std::to_string(i + 1), runs[i].folder + (i == 0 ? ", " + frames : ""));
     for (const auto& remark : report.run_remarks) lines.words("", remark);
-    lines.words("ground truth", report.ground_truth_file + ": " + report.ground_truth_content);
-    for (const auto& remark : report.ground_truth_remarks) lines.words("", remark);
-    lines.words("protocol", to_word(report.protocol) + ": " + rule_of(report.protocol));
+    lines.words("ground truth", report.truth.file + ": " + report.truth.content);
+    for (const auto& remark : report.truth.remarks) lines.words("", remark);
+    lines.words("protocol", to_word(report.truth.protocol) + ": " + rule_of(report.truth.protocol));
 }
 
 void add_metrics(AlignedLines& lines, const std::vector<MetricRange>& ranges, bool several)
@@ -79,7 +70,7 @@ void add_metrics(AlignedLines& lines, const std::vector<MetricRange>& ranges, bo
         const auto& metric = range.metric;
         if (metric.group != group && !metric.group.empty()) lines.headline(metric.group);
         group = metric.group;
-        lines.value(metric.name, value_of(range, several), metric.meaning);
+        lines.value(metric.name, format_range(range, several), metric.meaning);
     }
 }
 
@@ -149,7 +140,7 @@ std::string to_text(const EvaluationReport& report, std::size_t max_wrong)
     const bool several = report.runs.size() > 1;
     const auto ranges = shown(ranges_of(metrics_of_runs(report)));
     std::size_t width = 6;
-    for (const auto& range : ranges) width = std::max(width, value_of(range, several).size());
+    for (const auto& range : ranges) width = std::max(width, format_range(range, several).size());
     AlignedLines lines(width);
     add_origin(lines, report);
     if (several)

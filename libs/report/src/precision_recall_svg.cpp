@@ -101,7 +101,7 @@ void draw_legend(std::ostream& svg, const EvaluationReport& report)
     svg << "<circle cx='" << kLeft + 15 << "' cy='" << y << "' r='5'/>\n<text x='" << kLeft + 38
         << "' y='" << y + 5 << "'>"
         << (report.runs.size() > 1 ? "the runs as they are" : "the run as it is") << " ("
-        << to_word(report.protocol) << ")</text>\n";
+        << to_word(report.truth.protocol) << ")</text>\n";
 }
 }  // namespace
 

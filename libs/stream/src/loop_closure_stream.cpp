@@ -14,10 +14,13 @@ std::vector<std::pair<std::string, Options*>> TLoopClosureStreamOptions::section
     return all;
 }
 
-TLoopClosureStreamOptions load_stream_options(const std::string& ini_path)
+TLoopClosureStreamOptions load_stream_options(const std::string& ini_path,
+                                              const std::vector<std::string>& overrides)
 {
     TLoopClosureStreamOptions options;
-    load_sections(load_ini_file(ini_path), options.sections(), {"render", "graph"});
+    auto ini = load_ini_file(ini_path);
+    apply_overrides(ini, overrides);
+    load_sections(ini, options.sections(), {"render", "graph"});
     return options;
 }
 

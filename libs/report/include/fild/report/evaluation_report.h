@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/evaluation/protocol.h"
 #include "fild/evaluation/run_evaluation.h"
+#include "fild/report/truth_description.h"
 
 #include <cstddef>
 #include <string>
@@ -13,11 +13,8 @@ namespace fild
 /** What loop-closure-eval says of one or several runs of a recording. */
 struct EvaluationReport
 {
-    std::string ground_truth_file;
-    std::string ground_truth_content;
-    std::vector<std::string> ground_truth_remarks;
+    TruthDescription truth;
     std::vector<std::string> run_remarks;
-    Protocol protocol;
     std::vector<RunEvaluation> runs;  ///< at least one
 };
 

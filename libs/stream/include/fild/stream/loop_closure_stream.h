@@ -32,8 +32,11 @@ struct TLoopClosureStreamOptions
 
 /** The options of a stream out of an .ini file of rawlog-loop-closure, such as those in config-ini;
  *  sections for that app alone ([render], [graph]) are passed over.
- *  \throw std::runtime_error as load_ini_file() and load_sections(). */
-TLoopClosureStreamOptions load_stream_options(const std::string& ini_path);
+ *  \param overrides  as apply_overrides() takes them.
+ *  \throw std::runtime_error as load_ini_file() and load_sections().
+ *  \throw std::invalid_argument as apply_overrides(). */
+TLoopClosureStreamOptions load_stream_options(const std::string& ini_path,
+                                              const std::vector<std::string>& overrides = {});
 
 /** Finds loop closures in a stream of MRPT observations, fed one by one as on a robot.
  *  \code

@@ -18,6 +18,15 @@ std::string reason(int error_number)
 {
     return std::generic_category().message(error_number);
 }
+
+/** Is it named `NAME.part-PID`, as WholeFile does until a file is whole? */
+bool is_unfinished(const std::string& name)
+{
+    const std::string mark = ".part-";
+    const auto at = name.rfind(mark);
+    return at != std::string::npos && at > 0 && at + mark.size() < name.size() &&
+           name.find_first_not_of("0123456789", at + mark.size()) == std::string::npos;
+}
 }  // namespace
 
 OutputFolder::OutputFolder(std::string path) : path_(std::move(path))
@@ -51,20 +60,9 @@ OutputFolder::~OutputFolder()
 void OutputFolder::remove_unfinished_files() const
 {
     std::error_code ignored;  // they are in nobody's way
-    for (const std::string name : {"frames.csv",
-                                   "loops.csv",
-                                   "candidates.csv",
-                                   "poses.graph",
-                                   "poses.g2o",
-                                   "trajectory_input.tum",
-                                   "trajectory_optimized.tum",
-                                   "trajectory_input.kitti",
-                                   "trajectory_optimized.kitti",
-                                   "map.simplemap",
-                                   "summary.json"})
-        for (const auto& entry : std::filesystem::directory_iterator(path_, ignored))
-            if (entry.path().filename().string().rfind(name + ".part-", 0) == 0)
-                std::filesystem::remove(entry.path(), ignored);
+    for (const auto& entry : std::filesystem::directory_iterator(path_, ignored))
+        if (is_unfinished(entry.path().filename().string()))
+            std::filesystem::remove(entry.path(), ignored);
 }
 
 std::string OutputFolder::file(const std::string& name) const

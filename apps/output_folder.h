@@ -5,8 +5,8 @@
 
 namespace fild
 {
-/** The folder that receives a run's results, made if need be and held against a second run while
- * this object lives. Not thread-safe: one caller at a time. */
+/** The folder that receives results, made if need be and held against a second run while this
+ * object lives. Not thread-safe: one caller at a time. */
 class OutputFolder
 {
  public:

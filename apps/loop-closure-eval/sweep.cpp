@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sweep.h"
+
+#include "fild/core/parallel_for.h"
+#include "fild/detector/loop_detector.h"
+#include "fild/rawlog/frame_builder.h"
+#include "fild/rawlog/rawlog_reader.h"
+#include "fild/stream/loop_closure_stream.h"
+#include "interruption.h"
+#include "progress_line.h"
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/obs/CObservation.h>
+#include <opencv2/core/utility.hpp>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+/** One run: a point of the sweep with one seed. */
+struct Run
+{
+    TLoopClosureStreamOptions options;
+    std::optional<RunEvaluation> evaluation;  ///< none: not done
+    StageTimes times;
+};
+
+/** The features of all frames; what they depend on is in the key. */
+struct Recording
+{
+    std::vector<FrameFeatures> frames;
+    std::size_t global_dimension = 0;
+    std::string first_missing_image;  ///< empty: none was missing
+};
+
+/** A choice of values, as it stands in the table and as it is put into force. */
+struct Choice
+{
+    std::vector<std::string> values;  ///< one for each key of the report
+    std::vector<std::string> overrides;
+};
+
+std::vector<std::string> words_of(const std::string& text)
+{
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+std::vector<Choice> choices_of(const SweepRequest& request)
+{
+    std::vector<Choice> choices;
+    if (!request.changes.empty()) choices.push_back({{"(nothing)"}, {}});
+    for (const auto& change : request.changes) choices.push_back({{change}, words_of(change)});
+    if (!request.changes.empty()) return choices;
+    for (const auto& values : combinations_of(request.keys))
+    {
+        auto& choice = choices.emplace_back(Choice{values, {}});
+        for (std::size_t i = 0; i < values.size(); ++i)
+            choice.overrides.push_back(request.keys[i].key + "=" + values[i]);
+    }
+    return choices;
+}
+
+TLoopClosureStreamOptions options_of_run(const SweepRequest& request,
+                                         const Choice& choice,
+                                         std::optional<int> seed)
+{
+    auto overrides = request.overrides;
+    overrides.insert(overrides.end(), choice.overrides.begin(), choice.overrides.end());
+    if (seed) overrides.push_back("runtime.seed=" + std::to_string(*seed));
+    return load_stream_options(request.config, overrides);
+}
+
+/** What descriptors and keypoints depend on, as text. */
+std::string feature_key_of(TLoopClosureStreamOptions& options)
+{
+    std::string key;
+    for (const Options* section : std::initializer_list<const Options*>{
+             &options.input, &options.detector.global_descriptor, &options.detector.local_features})
+        for (const auto& [name, value] : section->values())
+            key.append(name).append("=").append(value).append("\n");
+    return key;
+}
+
+/** Hands every camera observation to `use` until the end of the rawlog, the limit of frames or an
+ *  interruption. */
+template <class Use>
+void for_each_frame(const SweepRequest& request, FrameBuilder& builder, Use&& use)
+{
+    RawlogReader reader(request.rawlog);
+    std::size_t frames = 0;
+    while ((frames < request.max_frames || request.max_frames == 0) && !interrupted())
+    {
+        const auto observation = reader.next();
+        if (!observation) return;
+        if (!builder.accepts(*observation)) continue;
+        ++frames;
+        const double of_limit =
+            request.max_frames == 0
+                ? 0
+                : static_cast<double>(frames) / static_cast<double>(request.max_frames);
+        use(*observation, std::max(reader.fraction_read(), of_limit));
+    }
+}
+
+/** Which frames the rawlog has, for the ground truth: without reading an image. */
+std::vector<FrameVerdict> frames_of(const SweepRequest& request, const TInputOptions& input)
+{
+    FrameBuilder builder(input, request.rawlog);
+    std::vector<FrameVerdict> frames;
+    for_each_frame(request,
+                   builder,
+                   [&](const mrpt::obs::CObservation& observation, double)
+                   {
+                       FrameVerdict frame;
+                       frame.frame = builder.next_id();
+                       frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
+                       frame.sensor_label = observation.sensorLabel;
+                       frames.push_back(frame);
+                       builder.skip(observation);
+                   });
+    if (interrupted()) throw std::runtime_error("interrupted");
+    if (frames.empty())
+        throw std::runtime_error(request.rawlog +
+                                 " has no camera observation of the wanted camera; " +
+                                 builder.describe_labels());
+    return frames;
+}
+
+Recording extract_features(const SweepRequest& request, TLoopClosureStreamOptions options)
+{
+    options.detector.runtime.num_threads = request.jobs;
+    FrameBuilder builder(options.input, request.rawlog);
+    FrameFeatureExtractor extractor(options.detector);
+    Recording recording{{}, extractor.global_dimension(), {}};
+    StageTimes times;
+    std::size_t keypoints = 0;
+    ProgressLine progress(request.quiet, "keypoints");
+    for_each_frame(
+        request,
+        builder,
+        [&](const mrpt::obs::CObservation& observation, double fraction)
+        {
+            recording.frames.push_back(extractor.extract(builder.build(observation), times));
+            keypoints += recording.frames.back().local.size();
+            progress.update(fraction, recording.frames.size(), keypoints);
+        });
+    recording.first_missing_image = builder.first_missing_image();
+    return recording;
+}
+
+/** What is to be said of frames that could not be used.
+ *  \throw std::runtime_error when none could. */
+std::vector<std::string> remarks_on(const Recording& recording)
+{
+    const auto is_unusable = [](const FrameFeatures& frame)
+    { return frame.defect != Rejection::none; };
+    const auto unusable =
+        std::count_if(recording.frames.begin(), recording.frames.end(), is_unusable);
+    if (unusable == 0) return {};
+    auto remark = std::to_string(unusable) + " of " + std::to_string(recording.frames.size()) +
+                  " frames could not be used";
+    if (!recording.first_missing_image.empty())
+        remark += "; the first image that is missing is " + recording.first_missing_image +
+                  ", set [input] images_dir to the folder of the images";
+    if (static_cast<std::size_t>(unusable) == recording.frames.size() && !interrupted())
+        throw std::runtime_error(remark);
+    return {remark};
+}
+
+FrameDescription hash(const FrameHasher& hasher, const FrameFeatures& features, StageTimes& times)
+{
+    const StageTimer timer(times, "hashing");
+    return hasher.hash(features);
+}
+
+/** The detector over the whole recording; nothing when it was interrupted.
+ *  \param on_frame  called after every frame. */
+std::optional<RunResults> detect(const Recording& recording,
+                                 TDetectorOptions options,
+                                 StageTimes& times,
+                                 const std::function<void()>& on_frame)
+{
+    options.runtime.num_threads = 1;  // the runs themselves are side by side
+    const FrameHasher hasher(options);
+    LoopDetector detector(options, recording.global_dimension);
+    RunResults results;
+    results.answers.emplace();
+    for (const auto& features : recording.frames)
+    {
+        if (interrupted()) return std::nullopt;
+        auto outcome = detector.process(hash(hasher, features, times), times);
+        results.frames.push_back(std::move(outcome.verdict));
+        results.answers->push_back(std::move(outcome.considered));
+        on_frame();
+    }
+    return results;
+}
+
+/** Runs that share a recording, side by side. */
+void evaluate_runs(const SweepRequest& request,
+                   const Recording& recording,
+                   const LoopTruth& truth,
+                   const std::vector<Run*>& runs)
+{
+    ProgressLine progress(request.quiet, "of " + std::to_string(runs.size()) + " runs");
+    std::mutex mutex;  // of the progress line and its counts
+    std::size_t frames = 0;
+    std::size_t done = 0;
+    const auto all_frames = static_cast<double>(runs.size() * recording.frames.size());
+    const auto count_frame = [&]
+    {
+        const std::lock_guard lock(mutex);
+        ++frames;
+        progress.update(static_cast<double>(frames) / all_frames, frames, done);
+    };
+    const auto evaluate_run = [&](std::size_t i)
+    {
+        auto& run = *runs[i];
+        const auto results = detect(recording, run.options.detector, run.times, count_frame);
+        if (!results) return;
+        run.evaluation = evaluate_loops(*results, truth);
+        const std::lock_guard lock(mutex);
+        ++done;
+    };
+    parallel_for(request.jobs, runs.size(), evaluate_run);
+}
+
+/** Of each point, the runs with each of the seeds. */
+std::vector<std::vector<Run>> plan(const SweepRequest& request, const std::vector<Choice>& choices)
+{
+    std::vector<std::vector<Run>> points;
+    for (const auto& choice : choices)
+    {
+        auto& runs = points.emplace_back();
+        for (const int seed : request.seeds)
+            runs.push_back({options_of_run(request, choice, seed), {}, {}});
+        if (request.seeds.empty())
+            runs.push_back({options_of_run(request, choice, std::nullopt), {}, {}});
+    }
+    return points;
+}
+
+/** The runs in groups of equal features, in the order of the first of each. */
+std::vector<std::vector<Run*>> group_by_features(std::vector<std::vector<Run>>& points)
+{
+    std::vector<std::pair<std::string, std::vector<Run*>>> groups;
+    for (auto& point : points)
+        for (auto& run : point)
+        {
+            const auto key = feature_key_of(run.options);
+            auto group = std::find_if(groups.begin(),
+                                      groups.end(),
+                                      [&](const auto& other) { return other.first == key; });
+            if (group == groups.end()) group = groups.insert(group, {key, {}});
+            group->second.push_back(&run);
+        }
+    std::vector<std::vector<Run*>> runs;
+    runs.reserve(groups.size());
+    for (auto& group : groups) runs.push_back(std::move(group.second));
+    return runs;
+}
+
+/** Takes over the runs of each point that is complete. */
+void collect(std::vector<std::vector<Run>>& points,
+             const std::vector<Choice>& choices,
+             SweepReport& report)
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const auto is_done = [](const Run& run) { return run.evaluation.has_value(); };
+        if (!std::all_of(points[i].begin(), points[i].end(), is_done)) continue;
+        auto& point = report.points.emplace_back();
+        point.values = choices[i].values;
+        for (auto& run : points[i])
+        {
+            point.runs.push_back(std::move(*run.evaluation));
+            point.seeds.push_back(run.options.detector.runtime.seed);
+            point.times.merge(run.times);
+        }
+    }
+    if (report.points.size() < points.size())
+        report.ended_early = "interrupted after " + std::to_string(report.points.size()) + " of " +
+                             std::to_string(points.size()) + " points";
+}
+
+/** \throw std::invalid_argument unless the detector has the section, or for the seed. */
+void require_sweepable(const std::string& key)
+{
+    TLoopClosureStreamOptions options;
+    const auto section = key.substr(0, key.find('.'));
+    if (key == "runtime.seed") throw std::invalid_argument("runtime.seed is swept by --seeds");
+    std::string known;
+    for (const auto& [name, ignored] : options.sections())
+    {
+        if (name == section) return;
+        known.append(" [").append(name).append("]");
+    }
+    throw std::invalid_argument("no loop closure depends on " + key + "; sections:" + known);
+}
+
+void require_sweepable(const SweepRequest& request)
+{
+    for (const auto& swept : request.keys)
+    {
+        require_sweepable(swept.key);
+        const auto is_same = [&](const SweptKey& other) { return other.key == swept.key; };
+        if (std::count_if(request.keys.begin(), request.keys.end(), is_same) > 1)
+            throw std::invalid_argument(swept.key + " is swept twice");
+    }
+    for (const auto& change : request.changes)
+    {
+        const auto words = words_of(change);
+        if (words.empty()) throw std::invalid_argument("an empty --change changes nothing");
+        for (const auto& word : words) require_sweepable(word.substr(0, word.find('=')));
+    }
+}
+}  // namespace
+
+SweepReport sweep(const SweepRequest& request)
+{
+    require_sweepable(request);
+    catch_interruption();
+    cv::setNumThreads(1);  // the runs are side by side
+    const auto choices = choices_of(request);
+    auto points = plan(request, choices);
+    SweepReport report;
+    report.rawlog = request.rawlog;
+    report.config = request.config;
+    report.overrides = request.overrides;
+    for (const auto& swept : request.keys) report.keys.push_back(swept.key);
+    if (!request.changes.empty()) report.keys = {"changed"};
+    for (const auto& runs : group_by_features(points))
+    {
+        const auto& options = runs.front()->options;
+        const auto truth = load_truth(request.truth, frames_of(request, options.input));
+        report.truth = {request.truth.file, truth.content, truth.remarks, request.truth.protocol};
+        const auto recording = extract_features(request, options);
+        report.remarks = remarks_on(recording);
+        evaluate_runs(request, recording, *truth.truth, runs);
+    }
+    collect(points, choices, report);
+    return report;
+}
+
+}  // namespace fild
