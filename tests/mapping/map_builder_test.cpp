@@ -149,6 +149,27 @@ TEST(MapBuilder, GoesOnBehindAFrameThatShowsNothing)
     EXPECT_EQ(map.parts.size(), 1U);
 }
 
+TEST(MapBuilder, GoesOnWhereNearThingsAreFew)
+{
+    Recorded recorded;
+    recorded.odometry = false;
+    constexpr std::size_t kNear = 3;  // too few for a pose
+    const auto map = map_of(kFrames,
+                            recorded,
+                            detector_options(),
+                            [](FrameDescription& frame)
+                            {
+                                const auto i = to_index(frame.frame);
+                                if (i < 8 || i > 10) return;
+                                auto& depths = frame.metric.depths.metres;
+                                std::fill(depths.begin() + kNear, depths.end(), std::nanf(""));
+                            });
+    EXPECT_EQ(map.trajectory.report().resets, 0U);
+    EXPECT_EQ(map.graph.nodes.size(), kFrames);
+    EXPECT_EQ(map.graph.odometry.size(), kFrames - 1);
+    EXPECT_LT(error_of(map.optimized), 0.3);
+}
+
 // A third of the first lap is dark: the second lap's loops hold the parts together, or not.
 TEST(MapBuilder, TellsThePartsOfAMapThatFallsApart)
 {

@@ -17,6 +17,7 @@ constexpr double kMedian1 = 0.4549;
 constexpr double kMedian2 = 1.3863;
 constexpr double kTail2 = 13.816;
 constexpr double kTail3 = 16.266;
+constexpr double kUnknowns = 6;  // of a pose
 constexpr double kCauchy = 2.385;  // 95 % efficient on Gaussian noise
 
 cv::Matx33d covariance_of(const PoseResidual& residual, const MeasuredNoise& noise)
@@ -154,6 +155,64 @@ NormalEquations normal_equations(const Residuals& residuals, const MeasuredNoise
     return equations;
 }
 
+/** What the matches of one region of the image say together. */
+struct Region
+{
+    cv::Vec<double, 6> pull;  ///< towards a pose of its own
+    double leverage = 0;  ///< its share of the six degrees of freedom
+};
+
+using Regions = std::map<std::pair<int, int>, Region>;
+
+Regions regions_of(const Residuals& residuals,
+                   const std::vector<PixelPosition>& pixels,
+                   const MeasuredNoise& noise,
+                   const cv::Matx66d& inverse_information)
+{
+    constexpr double kRegionPx = 80;  // as wide as the patches of large keypoints
+    Regions regions;
+    for (std::size_t k = 0; k < residuals.size(); ++k)
+    {
+        const auto& residual = residuals[k];
+        const std::pair cell(
+            static_cast<int>(std::floor(static_cast<double>(pixels[k].x) / kRegionPx)),
+            static_cast<int>(std::floor(static_cast<double>(pixels[k].y) / kRegionPx)));
+        const cv::Matx<double, 6, 3> left =
+            residual.jacobian.t() * robust_weight(residual, noise).information;
+        auto& region = regions[cell];
+        region.pull += left * residual.value;
+        region.leverage += cv::trace(inverse_information * (left * residual.jacobian)) / kUnknowns;
+    }
+    return regions;
+}
+
+/** Robust weights make the fit less steep than the normal equations say. */
+double steepness_of(const Residuals& residuals, const MeasuredNoise& noise)
+{
+    double weights = 0;
+    double slopes = 0;
+    for (const auto& residual : residuals)
+    {
+        const auto robust = robust_weight(residual, noise);
+        weights += robust.weight;
+        slopes += robust.slope;
+    }
+    return weights / slopes;
+}
+
+/** As many regions of equal leverage would know as much. */
+double effective_count(const Regions& regions)
+{
+    double sum = 0;
+    double squares = 0;
+    for (const auto& [cell, region] : regions)
+    {
+        sum += region.leverage;
+        squares += region.leverage * region.leverage;
+    }
+    return sum * sum / squares;
+}
+
 /** By how much the covariance of the solution exceeds the inverse of the information: K.-Y. Liang,
  *  S. Zeger, "Longitudinal data analysis using generalized linear models", Biometrika 73 (1986),
  *  reduced to one factor, since few matches do not give a whole matrix. What neighbours pull the
@@ -164,31 +223,20 @@ double variance_factor(const Residuals& residuals,
                        const MeasuredNoise& noise,
                        const cv::Matx66d& inverse_information)
 {
-    constexpr double kCellPx = 64;
-    constexpr double kUnknowns = 6;
     constexpr double kLeast = 0.1;
-    std::map<std::pair<int, int>, cv::Vec<double, 6>> pulls;
-    double weights = 0;
-    double slopes = 0;
-    for (std::size_t k = 0; k < residuals.size(); ++k)
-    {
-        const auto& residual = residuals[k];
-        const std::pair cell(
-            static_cast<int>(std::floor(static_cast<double>(pixels[k].x) / kCellPx)),
-            static_cast<int>(std::floor(static_cast<double>(pixels[k].y) / kCellPx)));
-        const auto robust = robust_weight(residual, noise);
-        pulls[cell] += residual.jacobian.t() * (robust.information * residual.value);
-        weights += robust.weight;
-        slopes += robust.slope;
-    }
+    const auto regions = regions_of(residuals, pixels, noise, inverse_information);
     double sum = 0;
-    for (const auto& [cell, pull] : pulls) sum += pull.dot(inverse_information * pull);
-    const auto cells = static_cast<double>(pulls.size());
-    // The fit gives way to each cell's pull by its share of the six degrees of freedom; squared as
-    // in the jackknife: J. MacKinnon, H. White, Journal of Econometrics 29 (1985), HC3.
-    const double give_way = cells / std::max(cells - kUnknowns, 1.0);
-    const double steepness = weights / slopes;
-    return std::max(kLeast, sum / kUnknowns * give_way * give_way * steepness * steepness);
+    for (const auto& [cell, region] : regions)
+        sum += region.pull.dot(inverse_information * region.pull);
+    // The fit gives way to each region's pull by its share of the six degrees of freedom; squared
+    // as in the jackknife: J. MacKinnon, H. White, Journal of Econometrics 29 (1985), HC3.
+    const auto count = static_cast<double>(regions.size());
+    const double give_way = count / std::max(count - kUnknowns, 1.0);
+    const double correction = give_way * steepness_of(residuals, noise);
+    // A variance that is estimated from few makes a Student's t of what was Gaussian.
+    const double effective = effective_count(regions);
+    const double student = effective / std::max(effective - 2, 1.0);
+    return student * std::max(kLeast, sum / kUnknowns * correction * correction);
 }
 
 RigidTransform moved(const RigidTransform& pose, const cv::Vec<double, 6>& step)

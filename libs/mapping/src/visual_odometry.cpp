@@ -2,6 +2,7 @@
 #include "fild/mapping/visual_odometry.h"
 
 #include "fild/mapping/loop_edge.h"
+#include "fild/mapping/motion_scale.h"
 #include "fild/mapping/pair_poses.h"
 
 #include <map>
@@ -54,10 +55,18 @@ class FrameMotions
 
     std::optional<MeasuredMotion> between(std::size_t a, std::size_t b, StageTimes& times) const
     {
-        const auto& candidate = *detector_.find_place(frames_[a]);
-        const auto& query = *detector_.find_place(frames_[b]);
-        const auto pose =
-            poses_.estimate(query, query.metric.depths, candidate, candidate.metric.depths, times);
+        return between(a, place(a).metric.depths, b, times);
+    }
+
+    /** With other depths of the earlier frame than its own. */
+    std::optional<MeasuredMotion> between(std::size_t a,
+                                          const KeypointDepths& depths,
+                                          std::size_t b,
+                                          StageTimes& times) const
+    {
+        const auto& candidate = place(a);
+        const auto& query = place(b);
+        const auto pose = poses_.estimate(query, query.metric.depths, candidate, depths, times);
         if (!pose.candidate_from_query) return std::nullopt;
         auto motion = robot_motion(*pose.candidate_from_query, candidate.metric, query.metric);
         if (!motion) return std::nullopt;
@@ -66,9 +75,71 @@ class FrameMotions
     }
 
  private:
+    const Place& place(std::size_t i) const { return *detector_.find_place(frames_[i]); }
+
     const LoopDetector& detector_;
     const std::vector<FrameId>& frames_;
     PairPoses poses_;
+};
+
+/** The frames' motions, one after the other. */
+class Chain
+{
+ public:
+    Chain(const FrameMotions& between,
+          const LoopDetector& detector,
+          const std::vector<FrameId>& frames,
+          const TDetectorOptions& options)
+        : between_(between), detector_(detector), frames_(frames), options_(options)
+    {
+    }
+
+    /** \param to_next  the motion from the frame before, if any. */
+    void add(std::size_t i, std::optional<MeasuredMotion> to_next, StageTimes& times)
+    {
+        constexpr std::size_t kMaxLeftOut = 10;
+        const auto left_out = i - last_ - 1;
+        auto motion = left_out == 0 ? to_next : std::nullopt;
+        if (!motion && left_out <= kMaxLeftOut) motion = over_those_left_out(i, times);
+        // Where the frame does not fit over those that were left out either, but fits the one just
+        // before, the chain begins anew.
+        if (!motion) motion = std::move(to_next);
+        if (!motion) return;
+        motions_.push_back(*motion);
+        last_ = i;
+    }
+
+    std::vector<MeasuredMotion> motions() && { return std::move(motions_); }
+
+ private:
+    std::optional<MeasuredMotion> over_those_left_out(std::size_t i, StageTimes& times)
+    {
+        if (last_ + 1 != i)
+            if (auto motion = between_.between(last_, i, times)) return motion;
+        const auto& depths = far_depths_of_last(times);
+        if (depths.known() == 0) return std::nullopt;
+        return between_.between(last_, depths, i, times);
+    }
+
+    const KeypointDepths& far_depths_of_last(StageTimes& times)
+    {
+        if (far_depths_of_ != last_)
+        {
+            const auto so_far = trajectory_from_motions(motions_);
+            far_depths_ = MotionScale(detector_, so_far, options_).depths_of(frames_[last_], times);
+            far_depths_of_ = last_;
+        }
+        return far_depths_;
+    }
+
+    const FrameMotions& between_;
+    const LoopDetector& detector_;
+    const std::vector<FrameId>& frames_;
+    const TDetectorOptions& options_;
+    std::vector<MeasuredMotion> motions_;
+    std::size_t last_ = 0;
+    KeypointDepths far_depths_;
+    std::optional<std::size_t> far_depths_of_;
 };
 }  // namespace
 
@@ -77,7 +148,6 @@ std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
                                             const TDetectorOptions& options,
                                             StageTimes& times)
 {
-    constexpr std::size_t kMaxLeftOut = 10;
     const StageTimer timer(times, "visual_odometry");
     const auto camera = camera_with_depths(detector, end);
     if (!camera) return {};
@@ -90,20 +160,9 @@ std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
                        [&](std::size_t i, StageTimes& own_times)
                        { to_next[i] = motions.between(i, i + 1, own_times); });
 
-    std::vector<MeasuredMotion> chain;
-    std::size_t last = 0;
-    for (std::size_t i = 1; i < frames.size(); ++i)
-    {
-        auto motion = to_next[i - 1];
-        // Where frames were left out and this one does not fit over them either, but fits the one
-        // just before, the chain begins anew.
-        if (last + 1 != i && i - last <= kMaxLeftOut + 1)
-            if (auto over_them = motions.between(last, i, times)) motion = std::move(over_them);
-        if (!motion) continue;
-        chain.push_back(*motion);
-        last = i;
-    }
-    return chain;
+    Chain chain(motions, detector, frames, options);
+    for (std::size_t i = 1; i < frames.size(); ++i) chain.add(i, std::move(to_next[i - 1]), times);
+    return std::move(chain).motions();
 }
 
 }  // namespace fild

@@ -35,7 +35,8 @@ class PairPoses
 };
 
 /** The options for pairs of frames that are known to show one place, as those taken one after the
- *  other: their matches need not prove it, so that as few inliers as a pose takes will do. */
+ *  other: their matches need not prove it, so that as few inliers as a pose takes will do, and
+ *  half the share of them that is asked of a loop. */
 TDetectorOptions without_doubt(const TDetectorOptions& options);
 
 /** parallel_for() whose bodies time their stages: the times are added up in the order of i. */
