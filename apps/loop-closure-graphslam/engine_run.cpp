@@ -8,7 +8,10 @@
 #include "fild/rawlog/rawlog_reader.h"
 #include "interruption.h"
 #include "mrpt_engine.h"
+#include "output_folder.h"
 #include "progress_line.h"
+
+#include <opencv2/core/utility.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -23,6 +26,9 @@ namespace fild
 {
 namespace
 {
+constexpr const char* kGraphFile = "poses.graph";
+constexpr const char* kTrajectoryFile = "trajectory.tum";
+
 /** The information of an edge about an error in the tangent at its mean, which is what MRPT 2.5's
  *  optimiser multiplies it with; an edge's own is about x, y (z), yaw (pitch, roll). */
 template <class Constraint>
@@ -122,7 +128,7 @@ class EngineRun
     {
     }
 
-    EngineResult run()
+    EngineResult run(const OutputFolder& folder)
     {
         read_rawlog();
         const auto& graph = engine_.getGraph();
@@ -132,7 +138,7 @@ class EngineRun
                                      "registration_max_distance or registration_max_angle");
         if (request_.with_loops) visual_.finish();
         optimizer_.optimizeWholeGraph();
-        write();
+        write(folder);
         EngineResult result;
         result.nodes = graph.nodeCount();
         result.loop_edges = visual_.numRegisteredLoops();
@@ -187,21 +193,19 @@ class EngineRun
         actions_.reset();
     }
 
-    void write() const
+    void write(const OutputFolder& folder) const
     {
-        namespace fs = std::filesystem;
         const auto& graph = engine_.getGraph();
-        WholeFile file((fs::path(request_.output) / "poses.graph").string());
+        WholeFile file(folder.file(kGraphFile));
         // As many digits as a number has: information may be nearly singular.
         file.stream().precision(std::numeric_limits<double>::max_digits10);
         graph.writeAsText(file.stream());
-        file.commit();
         std::vector<TrajectoryPose> poses;
         const auto& timestamps = nodes_.getNodeTimestamps();
         for (const auto& [id, pose] : graph.nodes)
             poses.push_back({FrameId{id}, timestamps.at(id), mrpt::poses::CPose3D(pose), 0});
-        write_trajectory(
-            (fs::path(request_.output) / "trajectory.tum").string(), poses, TrajectoryFormat::tum);
+        write_trajectory(folder.file(kTrajectoryFile), poses, TrajectoryFormat::tum);
+        file.commit();
     }
 
     EngineRequest request_;
@@ -216,31 +220,34 @@ class EngineRun
 };
 
 template <class Graph>
-EngineResult run_graph(const EngineRequest& request)
+EngineResult run_graph(const EngineRequest& request, const OutputFolder& folder)
 {
     std::unique_ptr<EngineRun<Graph>> run;
     {
         const SilentOutput silence;
         run = std::make_unique<EngineRun<Graph>>(request);
     }
-    return run->run();
+    return run->run(folder);
 }
 }  // namespace
 
 EngineResult run_engine(const EngineRequest& request)
 {
     catch_interruption();
+    cv::setNumThreads(1);  // our own threads are enough, and OpenCV's may not repeat
     // Before the network is loaded and hours are spent.
     const RawlogReader checked(request.rawlog);
-    std::filesystem::create_directories(request.output);
+    const OutputFolder folder(request.output);
+    for (const auto* name : {kGraphFile, kTrajectoryFile})  // of a run before
+        std::filesystem::remove(folder.file(name));
     // MRPT 2.5's engine takes no class of graph for a tested one, and waits for a key.
     if (std::freopen("/dev/null", "r", stdin) == nullptr)
         throw std::runtime_error("cannot open /dev/null");
     try
     {
         if (request.dimensions == GraphDimensions::planar)
-            return run_graph<mrpt::graphs::CNetworkOfPoses2DInf>(request);
-        return run_graph<mrpt::graphs::CNetworkOfPoses3DInf>(request);
+            return run_graph<mrpt::graphs::CNetworkOfPoses2DInf>(request, folder);
+        return run_graph<mrpt::graphs::CNetworkOfPoses3DInf>(request, folder);
     }
     catch (const mrpt::ExceptionWithCallBackBase& error)
     {

@@ -78,6 +78,11 @@ struct Gathered
     std::vector<LoopPicture> closures;
 };
 
+void throw_if_interrupted()
+{
+    if (interrupted()) throw std::runtime_error("interrupted");
+}
+
 /** Feeds the rawlog to the stream until its end, the limit of frames or an interruption. */
 void read_frames(const RunRequest& request,
                  RawlogReader& reader,
@@ -89,7 +94,7 @@ void read_frames(const RunRequest& request,
     const auto& count = gathered.summary.camera_frames;
     while (count != request.max_frames || count == 0)
     {
-        if (interrupted()) throw std::runtime_error("interrupted");
+        throw_if_interrupted();
         const auto [observation, actions] = reader.next_entry();
         if (!observation && !actions) break;
         if (actions) map.feed(*actions);
@@ -141,6 +146,15 @@ std::string read_what_can_be_read(const RunRequest& request,
                              stream.frames().describe_labels());
 }
 
+/** The first reason why a run is not whole is its error; those after it are notes. */
+void tell_end(const std::string& reason, RunSummary& summary)
+{
+    if (summary.ended_early.empty())
+        summary.ended_early = reason;
+    else
+        summary.map.notes.push_back(reason);
+}
+
 /** Builds the map; an error ends only this, and stands in the summary. */
 std::optional<Map> build_what_can_be_built(const MapBuilder& builder,
                                            const LoopDetector& detector,
@@ -149,14 +163,14 @@ std::optional<Map> build_what_can_be_built(const MapBuilder& builder,
 {
     try
     {
-        auto map = builder.build(detector, times);
+        auto map = builder.build(detector, times, throw_if_interrupted);
         summary.map = summary_of(map);
+        summary.map.frames_without_pose = summary.camera_frames - map.trajectory.poses().size();
         return map;
     }
     catch (const std::exception& error)
     {
-        if (summary.ended_early.empty())
-            summary.ended_early = std::string("no map: ") + error.what();
+        tell_end(std::string("no map: ") + error.what(), summary);
         return std::nullopt;
     }
 }
@@ -181,8 +195,7 @@ void write_what_can_be_written(const RunRequest& request,
     }
     catch (const std::exception& error)
     {
-        if (summary.ended_early.empty())
-            summary.ended_early = std::string("no more map files: ") + error.what();
+        tell_end(std::string("no more map files: ") + error.what(), summary);
     }
 }
 
@@ -211,8 +224,7 @@ void draw_what_can_be_drawn(const RunRequest& request,
     }
     catch (const std::exception& error)
     {
-        if (summary.ended_early.empty())
-            summary.ended_early = std::string("no more match pictures: ") + error.what();
+        tell_end(std::string("no more match pictures: ") + error.what(), summary);
     }
 }
 
@@ -283,12 +295,12 @@ void run_loop_closure(RunRequest request)
     MapBuilder builder(options.stream.detector, options.graph);
     auto& summary = gathered.summary;
     summary.ended_early = read_what_can_be_read(request, reader, stream, builder, gathered);
+    gathered.candidates.commit();
     auto times = stream.times();
     const auto map = build_what_can_be_built(builder, stream.detector(), times, summary);
     gathered.write_rows(map);
     gathered.frames.commit();
     gathered.loops.commit();
-    gathered.candidates.commit();
     remove_map_files(folder);
     if (map) write_what_can_be_written(request, *map, folder, times, summary);
     draw_what_can_be_drawn(request, folder, gathered);

@@ -4,9 +4,11 @@
 #include "fild/graph/graph_files.h"
 #include "fild/graph/trajectory_files.h"
 #include "fild/rawlog/frame_builder.h"
+#include "fild/rawlog/pose_conversion.h"
 #include "fild/rawlog/rawlog_reader.h"
 
 #include <mrpt/obs/CObservation.h>
+#include <mrpt/poses/CPose3D.h>
 
 #include <cmath>
 #include <filesystem>
@@ -41,6 +43,22 @@ std::string count_of(std::size_t count, const std::string& thing)
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string all;
+    for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
+    return all;
+}
+
+/** Why no reading of the robot's motion was used, where there are some. */
+void add_note_on_sources(const Map& map, MapSummary& summary)
+{
+    if (map.trajectory_source == TrajectorySource::recorded || map.unused_sources.empty()) return;
+    summary.notes.push_back(joined(map.unused_sources) +
+                            " of the recording gives no frame a pose, or is not what [graph] "
+                            "motion_source and motion_sensor_label ask for");
+}
+
 /** What the user should know of the loops that are no edges. */
 void add_notes_on_loops(MapSummary& summary)
 {
@@ -59,6 +77,13 @@ void add_notes_on_loops(MapSummary& summary)
     add(withheld(Withheld::distorted), "lens distortion was left in; set [input] undistort = true");
     add(withheld(Withheld::no_odometry),
         "a single camera sees directions but no distances, and there is no odometry");
+}
+
+LoopRow::Unscaled unscaled_row(const UnscaledMotion& motion)
+{
+    const auto turned = mrpt_pose_from({motion.rotation, {}});
+    const auto& d = motion.direction;
+    return {{turned.yaw(), turned.pitch(), turned.roll()}, {d[0], d[1], d[2]}};
 }
 
 void write_trajectories(const Map& map,
@@ -102,9 +127,8 @@ std::vector<std::string> write_map_files(const Map& map,
     std::vector<std::string> notes;
     if (map.graph.nodes.empty())
     {
-        notes.emplace_back(map.trajectory_source == TrajectorySource::none
-                               ? "no map: the recording has no odometry, and its images no depth"
-                               : "no map: the odometry gives no frame a pose");
+        notes.emplace_back(
+            "no map: no odometry tells how the robot moved, and no depth of its images does");
         return notes;
     }
     write_trajectories(map, rawlog, options.trajectory_format, folder, notes);
@@ -135,8 +159,8 @@ MapSummary summary_of(const Map& map)
     summary.trajectory = to_word(map.trajectory_source);
     if (map.trajectory_source == TrajectorySource::recorded)
         summary.trajectory_source = report.source;
-    summary.other_sources = report.other_sources;
-    summary.frames_without_pose = report.frames_without_pose.size();
+    summary.other_sources = map.unused_sources;
+    summary.late_readings = report.late_readings;
     summary.resets = report.resets;
     summary.gaps = report.gaps;
     summary.clock_jumps = report.clock_jumps;
@@ -156,6 +180,7 @@ MapSummary summary_of(const Map& map)
     for (const auto& part : map.parts) summary.parts.push_back(part.size());
     summary.is_largest_set = map.is_largest_set;
     summary.optimizations = map.optimizations;
+    add_note_on_sources(map, summary);
     add_notes_on_loops(summary);
     return summary;
 }
@@ -166,6 +191,7 @@ LoopRow row_of(const LoopEdge& loop)
     const bool is_edge = loop.withheld == Withheld::none;
     row.edge = is_edge ? to_word(loop.result.fate) : to_word(loop.withheld);
     if (is_edge) row.weight = loop.result.weight;
+    if (loop.unscaled) row.unscaled = unscaled_row(*loop.unscaled);
     if (!loop.motion) return row;
     const auto& pose = loop.motion->a_from_b;
     row.candidate_from_query = {

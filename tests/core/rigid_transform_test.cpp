@@ -66,6 +66,11 @@ TEST(UsableBaseline, IsBesideOrBelowAndNotTooShort)
     EXPECT_FALSE(usable(0.01, 0, 0.5)) << "one behind the other";
     EXPECT_FALSE(usable(std::numeric_limits<double>::quiet_NaN(), 0, 0));
     EXPECT_FALSE(usable(std::numeric_limits<double>::infinity(), 0, 0));
+    const cv::Matx33d backwards(-1, 0, 0, 0, 1, 0, 0, 0, -1);
+    EXPECT_FALSE(fild::is_usable_baseline({backwards, {0.1, 0, 0}}));
+    auto not_finite = cv::Matx33d::eye();
+    not_finite(0, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(fild::is_usable_baseline({not_finite, {0.1, 0, 0}}));
 }
 
 TEST(DepthDefect, HasAWordForEach)

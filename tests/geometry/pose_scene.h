@@ -46,6 +46,7 @@ struct SceneRecipe
     std::size_t outliers = 0;  ///< matches of unrelated pixels, after the points
     double pixel_noise = 0;
     double inverse_depth_noise = 0;  ///< 1/metres
+    double half_width = 0.6;  ///< tangent of the angle from the middle of the candidate's image
     double near = 4;  ///< metres
     double far = 15;
     bool planar = false;  ///< all on one slanted wall
@@ -96,8 +97,8 @@ inline Scene make_scene(const SceneRecipe& recipe, std::uint64_t seed)
     const auto query_from_candidate = scene.candidate_from_query.inverse();
     for (std::size_t i = 0; i < recipe.points; ++i)
     {
-        const double x = dice.uniform(-0.6, 0.6);
-        const double y = dice.uniform(-0.45, 0.45);
+        const double x = dice.uniform(-recipe.half_width, recipe.half_width);
+        const double y = 0.75 * dice.uniform(-recipe.half_width, recipe.half_width);
         const double z = recipe.planar ? 8 / (1 - 0.4 * x) : dice.uniform(recipe.near, recipe.far);
         const cv::Vec3d in_candidate(x * z, y * z, z);
         add_measurement(in_candidate, recipe, dice, scene.candidate, scene.candidate_depths);

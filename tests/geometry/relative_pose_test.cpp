@@ -92,6 +92,30 @@ TEST_P(EachDepth, IsAsUncertainAsItSays)
     EXPECT_LE(beyond, 1);
 }
 
+// A poster far away: wherever on the grid of regions it is, the covariance is not too small.
+TEST_P(EachDepth, IsCautiousWhereAllPointsAreInOnePlaceOfTheImage)
+{
+    auto poster = recipe();
+    poster.pixel_noise = 0.7;
+    poster.inverse_depth_noise = 0.002;
+    poster.half_width = 0.08;
+    constexpr int kTrials = 60;
+    double sum = 0;
+    int poses = 0;
+    for (std::uint64_t seed = 1; seed <= kTrials; ++seed)
+    {
+        const auto scene = make_scene(poster, seed);
+        TRelativePoseOptions options;
+        options.max_position_deviation_m = options.max_rotation_deviation_deg = 100;
+        const auto pose = estimate(scene, options);
+        if (!pose.candidate_from_query) continue;
+        ++poses;
+        sum += nees_of(pose, scene.candidate_from_query);
+    }
+    EXPECT_GE(poses, kTrials / 2);
+    EXPECT_LT(sum / poses, 9);
+}
+
 TEST_P(EachDepth, LeavesWrongMatchesOut)
 {
     auto mixed = recipe();

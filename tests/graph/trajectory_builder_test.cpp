@@ -281,6 +281,43 @@ TEST(TrajectoryBuilder, AbsoluteCovariancesThatGrowAreDeadReckoning)
     EXPECT_LT(robot_pose_motion(0, 0).covariance(0, 0), 0.1) << "no covariance: the model";
 }
 
+// The map begins at the first reading, whichever way the sensor's axes lie.
+TEST(TrajectoryBuilder, AbsoluteCovariancesTurnWithTheMap)
+{
+    TrajectoryBuilder builder(with_own_covariance());
+    for (int i = 0; i < 2; ++i)
+    {
+        auto reading = robot_pose_at(i, CPose3D(0, i, 0, M_PI / 2, 0, 0), 1e-4);
+        reading.pose.cov(0, 0) = 0.04 * (i + 1);  // across the way
+        reading.pose.cov(1, 1) = 0.01 * (i + 1);  // along it
+        builder.feed(reading);
+        builder.add_frame(FrameId{static_cast<std::uint64_t>(i)}, i);
+    }
+    const auto motion = builder.build().motion(FrameId{0}, FrameId{1}).value();
+    EXPECT_NEAR(motion.a_from_b.x(), 1, 1e-9);
+    EXPECT_NEAR(motion.covariance(0, 0), 0.01, 1e-3);
+    EXPECT_NEAR(motion.covariance(1, 1), 0.04, 1e-3);
+}
+
+TEST(TrajectoryBuilder, TellsTheMotionSoFar)
+{
+    TrajectoryBuilder builder({});
+    EXPECT_FALSE(builder.motion_so_far());
+    builder.feed(odometry_at(0, CPose2D(5, 5, 0)));
+    EXPECT_FALSE(builder.motion_so_far());
+    builder.feed(odometry_at(1, CPose2D(6, 5, 0)));
+    builder.feed(odometry_at(2, CPose2D(7, 5, 0.5)));
+    EXPECT_EQ(builder.readings(), 3U);
+    builder.add_frame(FrameId{0}, 0);
+    builder.add_frame(FrameId{1}, 2);
+    const auto motion = builder.motion_so_far().value();
+    const auto expected = builder.build().motion(FrameId{0}, FrameId{1}).value();
+    EXPECT_EQ(motion.a_from_b, expected.a_from_b);
+    EXPECT_EQ(motion.covariance, expected.covariance);
+    builder.feed(odometry_at(3, CPose2D()));
+    EXPECT_FALSE(builder.motion_so_far()) << "the odometry was reset";
+}
+
 TEST(TrajectoryBuilder, ModelIsThatOfTheOptions)
 {
     TGraphOptions options;
@@ -325,6 +362,8 @@ TEST(TrajectoryBuilder, GpsGivesPositionsAndTheHeadingOfTheMovement)
     builder.feed(gps_at(60, 0, 0, 0, 0));  // no fix
     const auto trajectory = builder.build();
     EXPECT_EQ(trajectory.report().source, "CObservationGPS 'GPS'");
+    EXPECT_EQ(trajectory.report().other_sources,
+              std::vector<std::string>{"CObservationOdometry 'WHEELS'"});
     EXPECT_EQ(trajectory.report().unusable_readings, 1U);
     const auto east = trajectory.pose(FrameId{15})->map_from_robot;
     EXPECT_NEAR(east.x(), 15, 0.01);
@@ -336,6 +375,24 @@ TEST(TrajectoryBuilder, GpsGivesPositionsAndTheHeadingOfTheMovement)
     EXPECT_NEAR(trajectory.pose(FrameId{0})->map_from_robot.yaw(), 0, 1e-3);
     const auto motion = trajectory.motion(FrameId{15}, FrameId{50});
     EXPECT_NEAR(motion->covariance(0, 0), 2 * 4, 0.1) << "both fixes are off by gps_sigma_m";
+}
+
+TEST(TrajectoryBuilder, FixesOfAnyDilutionAreIndependent)
+{
+    TGraphOptions options;
+    options.motion_source = fild::MotionSource::gps;
+    TrajectoryBuilder builder(options);
+    for (int i = 0; i < 2; ++i)
+    {
+        auto fix = gps_on_map(i, 30.0 * i, 0);
+        auto& gga = fix.getMsgByClass<mrpt::obs::gnss::Message_NMEA_GGA>().fields;
+        gga.thereis_HDOP = true;
+        gga.HDOP = 1 + 0.1F * static_cast<float>(i);
+        builder.feed(fix);
+        builder.add_frame(FrameId{static_cast<std::uint64_t>(i)}, i);
+    }
+    const auto motion = builder.build().motion(FrameId{0}, FrameId{1}).value();
+    EXPECT_NEAR(motion.covariance(0, 0), 4 * (1 + 1.21), 0.05);
 }
 
 TEST(TrajectoryBuilder, GpsThatNeverMovesHasAnyHeading)

@@ -76,6 +76,13 @@ TEST(MotionSinceNodeTest, ComesFromActionsToo)
     EXPECT_EQ(motion.timestamp(), 5);
 }
 
+TEST(MotionSinceNodeTest, RefusesGps)
+{
+    fild::TGraphOptions options;
+    options.motion_source = fild::MotionSource::gps;
+    EXPECT_THROW(MotionSinceNode{options}, std::invalid_argument);
+}
+
 TEST(MotionSinceNodeTest, RefusesAnOdometryThatWasReset)
 {
     MotionSinceNode motion{fild::TGraphOptions()};

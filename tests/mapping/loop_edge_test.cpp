@@ -26,8 +26,9 @@ UncertainTransform uncertain(const RigidTransform& b_from_a, double deviation)
 TEST(Withheld, HasAWordForEachReason)
 {
     std::set<std::string> words;
-    for (const auto reason : fild::all_withheld()) words.insert(to_word(reason));
-    EXPECT_EQ(words.size(), fild::all_withheld().size());
+    const auto last = static_cast<int>(fild::Withheld::frame_without_pose);
+    for (int i = 0; i <= last; ++i) words.insert(to_word(static_cast<fild::Withheld>(i)));
+    EXPECT_EQ(words.size(), static_cast<std::size_t>(last + 1));
     EXPECT_EQ(to_word(fild::Withheld::none), "");
 }
 
@@ -44,6 +45,19 @@ TEST(RobotMotion, IsThatOfTheRobotsNotOfTheCameras)
     EXPECT_LT(found->a_from_b.distanceTo(motion), 1e-9);
     EXPECT_NEAR(found->a_from_b.yaw(), 0.4, 1e-9);
     EXPECT_GT(found->covariance(0, 0), 0);
+}
+
+TEST(UnscaledMotion, IsInTheAxesOfTheRobot)
+{
+    const CPose3D robot_from_camera(0.5, -0.2, 1.1, -M_PI / 2, 0, -M_PI / 2);
+    MetricView view;
+    view.robot_from_camera = fild::rigid_transform_from(robot_from_camera);
+    const CPose3D turn(0, 0, 0, 0.3, 0, 0);
+    const auto cameras =
+        fild::rigid_transform_from((CPose3D() - robot_from_camera) + turn + robot_from_camera);
+    const auto found = unscaled_motion({cameras.rotation, {0, 0, 1}}, view, view);
+    EXPECT_LT(cv::norm(found.direction - cv::Vec3d(1, 0, 0)), 1e-9) << "ahead";
+    EXPECT_NEAR(fild::mrpt_pose_from({found.rotation, {}}).yaw(), 0.3, 1e-9);
 }
 
 TEST(RobotMotion, IsNoneWithoutACovarianceToMakeAnInformationOf)

@@ -104,8 +104,22 @@ TEST(MapBuilder, WithholdsEdgesOfASingleCameraWithoutOdometry)
     EXPECT_EQ(map.trajectory_source, TrajectorySource::none);
     EXPECT_GE(map.loops.size(), kFramesPerLap - 1);
     EXPECT_EQ(withheld(map, Withheld::no_odometry), map.loops.size());
+    for (const auto& loop : map.loops) EXPECT_TRUE(loop.unscaled.has_value());
     EXPECT_TRUE(map.graph.nodes.empty());
     EXPECT_TRUE(map.optimized.empty());
+}
+
+TEST(MapBuilder, EndsWhenItIsToldTo)
+{
+    const auto stop = [] { throw std::runtime_error("enough"); };
+    for (const bool odometry : {true, false})
+    {
+        Recorded recorded;
+        recorded.odometry = odometry;
+        EXPECT_THROW(map_of(
+                         2, recorded, detector_options(), [](FrameDescription&) {}, stop),
+                     std::runtime_error);
+    }
 }
 
 TEST(MapBuilder, WithholdsEdgesOfCamerasWithoutCalibration)

@@ -165,10 +165,12 @@ inline mrpt::obs::CObservationOdometry drifting_odometry(std::size_t frame)
 
 /** Drives the first frames through detector and map. */
 template <class Change>
-Map map_of(std::size_t frames,
-           const Recorded& recorded,
-           const TDetectorOptions& options,
-           Change&& change)
+Map map_of(
+    std::size_t frames,
+    const Recorded& recorded,
+    const TDetectorOptions& options,
+    Change&& change,
+    const GoOn& go_on = [] {})
 {
     const PointWorld world;
     LoopDetector detector(options, kDescriptorLength);
@@ -181,7 +183,7 @@ Map map_of(std::size_t frames,
         change(description);
         builder.add(detector.process(std::move(description), times));
     }
-    return builder.build(detector, times);
+    return builder.build(detector, times, go_on);
 }
 
 inline Map map_of(const Recorded& recorded, const TDetectorOptions& options = detector_options())

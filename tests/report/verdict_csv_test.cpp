@@ -83,7 +83,17 @@ TEST(LoopCsv, EndsWithPoseDeviationsAndWeight)
     EXPECT_EQ(loop_csv_row(loop),
               "45,0.000000,,0,3,0.500000,0,0,1,,0.000000,stereo,1.000000,-2.000000,0.500000,"
               "180.000000,0.000000,-1.000000,0.010000,0.020000,0.030000,1.000000,2.000000,"
-              "0.000000,1.000000,used\n");
+              "0.000000,1.000000,used,,,\n");
+}
+
+TEST(LoopCsv, TellsRotationAndDirectionWhereTheScaleIsUnknown)
+{
+    fild::LoopRow loop;
+    loop.unscaled = {{3.14159265358979, 0, 0}, {0, 0.6, -0.8}};
+    loop.edge = "no_odometry";
+    EXPECT_EQ(loop_csv_row(loop),
+              "45,0.000000,,0,3,0.500000,0,0,1,,0.000000,stereo,,,,180.000000,0.000000,0.000000,"
+              ",,,,,,,no_odometry,0.000000,0.600000,-0.800000\n");
 }
 
 TEST(LoopCsv, LeavesEmptyWhatIsNotKnown)
@@ -91,7 +101,7 @@ TEST(LoopCsv, LeavesEmptyWhatIsNotKnown)
     fild::LoopRow loop;
     loop.edge = "no_depth";
     EXPECT_EQ(loop_csv_row(loop),
-              "45,0.000000,,0,3,0.500000,0,0,1,,0.000000,stereo,,,,,,,,,,,,,,no_depth\n");
+              "45,0.000000,,0,3,0.500000,0,0,1,,0.000000,stereo,,,,,,,,,,,,,,no_depth,,,\n");
     const fild::testing::TemporaryFolder folder;
     fild::LoopCsv csv(folder.path("loops.csv"));
     csv.commit();

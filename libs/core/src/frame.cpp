@@ -31,11 +31,14 @@ bool is_usable_baseline(const RigidTransform& left_from_right)
 {
     constexpr double kShortest = 1e-3;  // metres
     constexpr double kSine30 = 0.5;
+    constexpr double kCosine60 = 0.5;
+    const auto& rotation = left_from_right.rotation;
+    const bool both_look_ahead = std::isfinite(cv::norm(rotation)) && rotation(2, 2) >= kCosine60;
     const auto& baseline = left_from_right.translation;
     const double length = cv::norm(baseline);
     if (!std::isfinite(length) || length < kShortest) return false;
     const double beside = std::hypot(baseline[0], baseline[1]);
-    return beside >= kSine30 * length && baseline[0] >= -kSine30 * beside;
+    return both_look_ahead && beside >= kSine30 * length && baseline[0] >= -kSine30 * beside;
 }
 
 }  // namespace fild

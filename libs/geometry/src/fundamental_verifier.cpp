@@ -2,6 +2,8 @@
 // Geometric verification of FILD (An et al., IROS 2019), section III-C.
 #include "fild/geometry/fundamental_verifier.h"
 
+#include "usac.h"
+
 #include <opencv2/calib3d.hpp>
 
 #include <algorithm>
@@ -14,29 +16,23 @@ namespace
 {
 cv::UsacParams usac_parameters(const TVerificationOptions& options, int random_state)
 {
-    cv::UsacParams usac;
-    usac.confidence = options.confidence;
-    usac.isParallel = false;  // a parallel RANSAC would not repeat
-    usac.maxIterations = options.max_iterations;
-    usac.randomGeneratorState = random_state;
-    usac.threshold = options.max_epipolar_error_px;
-    usac.sampler = cv::SAMPLING_UNIFORM;
-    usac.score = cv::SCORE_METHOD_RANSAC;
-    usac.loMethod = cv::LOCAL_OPTIM_NULL;
+    auto usac = magsac_parameters(
+        {options.max_epipolar_error_px, options.confidence, options.max_iterations}, random_state);
     switch (options.method)
     {
+        case RansacMethod::magsac:
+            break;
         case RansacMethod::ransac:
+            usac.loMethod = cv::LOCAL_OPTIM_NULL;
+            usac.score = cv::SCORE_METHOD_RANSAC;
             break;
         case RansacMethod::lo_ransac:
             usac.loMethod = cv::LOCAL_OPTIM_INNER_LO;
+            usac.score = cv::SCORE_METHOD_RANSAC;
             break;
         case RansacMethod::graph_cut:
             usac.loMethod = cv::LOCAL_OPTIM_GC;
             usac.score = cv::SCORE_METHOD_MSAC;
-            break;
-        case RansacMethod::magsac:
-            usac.loMethod = cv::LOCAL_OPTIM_SIGMA;
-            usac.score = cv::SCORE_METHOD_MAGSAC;
             break;
     }
     return usac;
@@ -82,7 +78,7 @@ std::vector<cv::Point2f> to_points(const std::vector<PixelPosition>& pixels)
 }  // namespace
 
 FundamentalVerifier::FundamentalVerifier(const TVerificationOptions& options, std::uint64_t seed)
-    : options_(options), random_state_(static_cast<int>(seed % 0x7FFFFFFFU))
+    : options_(options), random_state_(usac_random_state(seed))
 {
     options_.check();
 }

@@ -37,9 +37,4 @@ std::vector<PixelPosition> candidate_pixels(const std::vector<Match>& matches,
     return pixels_of(matches, &Match::candidate, positions);
 }
 
-int usac_random_state(std::uint64_t seed)
-{
-    return static_cast<int>(seed % 0x7FFFFFFFU);
-}
-
 }  // namespace fild

@@ -17,7 +17,4 @@ std::vector<PixelPosition> query_pixels(const std::vector<Match>& matches,
 std::vector<PixelPosition> candidate_pixels(const std::vector<Match>& matches,
                                             const std::vector<PixelPosition>& positions);
 
-/** OpenCV's kind of a seed. */
-int usac_random_state(std::uint64_t seed);
-
 }  // namespace fild

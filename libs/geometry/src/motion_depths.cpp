@@ -5,6 +5,7 @@
 #include "matched_pixels.h"
 #include "pinhole.h"
 #include "two_view_motion.h"
+#include "usac.h"
 
 #include <algorithm>
 #include <cmath>

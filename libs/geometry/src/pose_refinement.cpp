@@ -217,26 +217,31 @@ double effective_count(const Regions& regions)
  *  S. Zeger, "Longitudinal data analysis using generalized linear models", Biometrika 73 (1986),
  *  reduced to one factor, since few matches do not give a whole matrix. What neighbours pull the
  *  same way counts as one: keypoints of several sizes at one corner share their errors. Never less
- *  than a tenth: copies of an image leave no residuals, and are no endless precision. */
+ *  than a tenth, for copies of an image leave no residuals and are no endless precision; with few
+ *  regions never less than 1. */
 double variance_factor(const Residuals& residuals,
                        const std::vector<PixelPosition>& pixels,
                        const MeasuredNoise& noise,
                        const cv::Matx66d& inverse_information)
 {
     constexpr double kLeast = 0.1;
+    constexpr double kFewRegions = 8;
+    constexpr double kFewEffective = 3;
     const auto regions = regions_of(residuals, pixels, noise, inverse_information);
     double sum = 0;
     for (const auto& [cell, region] : regions)
         sum += region.pull.dot(inverse_information * region.pull);
     // The fit gives way to each region's pull by its share of the six degrees of freedom; squared
     // as in the jackknife: J. MacKinnon, H. White, Journal of Econometrics 29 (1985), HC3.
-    const auto count = static_cast<double>(regions.size());
-    const double give_way = count / std::max(count - kUnknowns, 1.0);
+    const double count = std::max(static_cast<double>(regions.size()), kFewRegions);
+    const double give_way = count / (count - kUnknowns);
     const double correction = give_way * steepness_of(residuals, noise);
     // A variance that is estimated from few makes a Student's t of what was Gaussian.
-    const double effective = effective_count(regions);
-    const double student = effective / std::max(effective - 2, 1.0);
-    return student * std::max(kLeast, sum / kUnknowns * correction * correction);
+    const double effective = std::max(effective_count(regions), kFewEffective);
+    const double student = effective / (effective - 2);
+    // The pulls of few regions all but cancel each other at the solution and tell nothing.
+    const double least = static_cast<double>(regions.size()) < kFewRegions ? 1 : kLeast;
+    return student * std::max(least, sum / kUnknowns * correction * correction);
 }
 
 RigidTransform moved(const RigidTransform& pose, const cv::Vec<double, 6>& step)

@@ -6,6 +6,7 @@
 #include "pinhole.h"
 #include "pose_refinement.h"
 #include "two_view_motion.h"
+#include "usac.h"
 
 #include <opencv2/calib3d.hpp>
 
@@ -60,15 +61,8 @@ struct PointsAndPixels
 
 cv::UsacParams usac_parameters(const TRelativePoseOptions& options, int random_state)
 {
-    cv::UsacParams usac;
-    usac.confidence = options.confidence;
-    usac.isParallel = false;  // a parallel RANSAC would not repeat
-    usac.maxIterations = options.max_iterations;
-    usac.randomGeneratorState = random_state;
-    usac.threshold = options.max_reprojection_px;
-    usac.loMethod = cv::LOCAL_OPTIM_SIGMA;
-    usac.score = cv::SCORE_METHOD_MAGSAC;
-    return usac;
+    return magsac_parameters(
+        {options.max_reprojection_px, options.confidence, options.max_iterations}, random_state);
 }
 
 /** The pose of the points' frame in the frame of the pixels' camera. */

@@ -6,7 +6,7 @@ namespace fild
 void TRelativePoseOptions::describe(OptionVisitor& visitor)
 {
     visitor.flag("enabled", enabled);
-    visitor.integer("min_points", min_points, 6, 100000);
+    visitor.integer("min_points", min_points, 8, 100000);
     visitor.real("min_inlier_share", min_inlier_share, 0, 1);
     visitor.real("max_reprojection_px", max_reprojection_px, 0.1, 50);
     visitor.real("confidence", confidence, 0.5, 0.999999);

@@ -2,6 +2,7 @@
 #include "two_view_motion.h"
 
 #include "pinhole.h"
+#include "usac.h"
 
 #include <opencv2/calib3d.hpp>
 
@@ -165,14 +166,7 @@ cv::Mat ransac(const std::vector<RayPair>& rays, double max_distance, int random
         a.emplace_back(in_a[0], in_a[1]);
         b.emplace_back(in_b[0], in_b[1]);
     }
-    cv::UsacParams usac;
-    usac.confidence = 0.999;
-    usac.isParallel = false;  // a parallel RANSAC would not repeat
-    usac.maxIterations = 2000;
-    usac.randomGeneratorState = random_state;
-    usac.threshold = max_distance;
-    usac.loMethod = cv::LOCAL_OPTIM_SIGMA;
-    usac.score = cv::SCORE_METHOD_MAGSAC;
+    const auto usac = magsac_parameters({max_distance}, random_state);
     const cv::Mat no_distortion;
     std::vector<unsigned char> is_inlier;
     const auto eye = cv::Matx33d::eye();

@@ -129,7 +129,7 @@ class CliqueSearch
 
     void expand(std::vector<std::size_t>& chosen, VertexSet left)
     {
-        if (left.empty() && chosen.size() > best_.size()) best_ = chosen;
+        if (chosen.size() > best_.size()) best_ = chosen;
         const auto order = colour(left);
         for (std::size_t i = order.size(); i-- > 0;)
         {

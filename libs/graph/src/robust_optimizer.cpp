@@ -113,7 +113,12 @@ class LeastSquares
         options.function_tolerance = 1e-9;
         options.logging_type = ceres::SILENT;
         ceres::Solver::Summary summary;
-        if (problem_.NumResidualBlocks() > 0) ceres::Solve(options, &problem_, &summary);
+        if (problem_.NumResidualBlocks() > 0)
+        {
+            ceres::Solve(options, &problem_, &summary);
+            if (!summary.IsSolutionUsable())
+                throw std::runtime_error("the pose graph cannot be optimised: " + summary.message);
+        }
         for (auto& state : states_) state.rotation.normalize();
     }
 

@@ -49,7 +49,10 @@ Matrix6 covariance_between(const UncertainPose& a, const UncertainPose& b)
     Matrix6 to_robot = Matrix6::Zero();
     to_robot.topLeftCorner<3, 3>() = b.map_from_robot.rotation.transpose();
     to_robot.bottomRightCorner<3, 3>() = to_robot.topLeftCorner<3, 3>();
-    return to_robot * between_absolute(*a.absolute, *b.absolute) * to_robot.transpose();
+    const Matrix6 along_map = a.is_independent && b.is_independent
+                                  ? Matrix6(*a.absolute + *b.absolute)
+                                  : between_absolute(*a.absolute, *b.absolute);
+    return to_robot * along_map * to_robot.transpose();
 }
 }  // namespace
 

@@ -209,6 +209,17 @@ void TrajectoryBuilder::State::push(double seconds, UncertainPose pose)
     readings.push_back({seconds, current});
 }
 
+namespace
+{
+/** A covariance along other axes, for position and rotation vector alike. */
+Matrix6 turned(const Matrix6& covariance, const Eigen::Matrix3d& rotation)
+{
+    Matrix6 turn = Matrix6::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation;
+    return turn * covariance * turn.transpose();
+}
+}  // namespace
+
 void TrajectoryBuilder::State::add_pose(double seconds, const PoseReading& reading)
 {
     if (!reading.pose.translation.allFinite() || !reading.pose.rotation.allFinite() ||
@@ -228,7 +239,9 @@ void TrajectoryBuilder::State::add_pose(double seconds, const PoseReading& readi
     next.accumulated +=
         to_map * movement_covariance(options, movement, reading.is_planar) * to_map.transpose();
     next.absolute.reset();
-    if (options.odometry_covariance == OdometryCovariance::own) next.absolute = reading.covariance;
+    if (options.odometry_covariance == OdometryCovariance::own && reading.covariance)
+        next.absolute = turned(*reading.covariance,
+                               next.map_from_robot.rotation * reading.pose.rotation.transpose());
     next.planar_attitude = reading.is_planar ? options.planar_attitude_deg * kRadiansPerDegree : 0;
     last_raw = reading.pose;
     push(seconds, next);
@@ -278,11 +291,18 @@ void TrajectoryBuilder::State::add_fix(double seconds, const GpsFix& fix)
 
 namespace
 {
-/** Direction of the movement about a position, radians from the x axis (east), where the positions
- *  around it are a baseline apart. */
-std::optional<double> heading_at(const std::vector<Position>& positions,
-                                 std::size_t index,
-                                 double baseline)
+/** Direction of a movement. */
+struct Heading
+{
+    double angle = 0;  ///< radians from the x axis (east)
+    double baseline = 0;  ///< metres that the movement goes
+};
+
+/** Direction of the movement about a position, where the positions around it are a baseline apart,
+ *  or half of one at the ends of the drive. */
+std::optional<Heading> heading_at(const std::vector<Position>& positions,
+                                  std::size_t index,
+                                  double baseline)
 {
     const auto away = [&](const Position& other)
     {
@@ -296,15 +316,15 @@ std::optional<double> heading_at(const std::vector<Position>& positions,
     const Eigen::Vector2d way =
         (positions[after].map_from_antenna - positions[before].map_from_antenna).head<2>();
     if (way.norm() < baseline / 2) return std::nullopt;
-    return std::atan2(way.y(), way.x());
+    return Heading{std::atan2(way.y(), way.x()), way.norm()};
 }
 
 /** Headings at all positions; where there is none, that of the nearest one (by count) before, or
  *  else after. Nothing when the robot never moved a baseline. */
-std::vector<std::optional<double>> headings_of(const std::vector<Position>& positions,
-                                               double baseline)
+std::vector<std::optional<Heading>> headings_of(const std::vector<Position>& positions,
+                                                double baseline)
 {
-    std::vector<std::optional<double>> headings;
+    std::vector<std::optional<Heading>> headings;
     headings.reserve(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i)
         headings.push_back(heading_at(positions, i, baseline));
@@ -316,17 +336,18 @@ std::vector<std::optional<double>> headings_of(const std::vector<Position>& posi
 }
 
 /** Covariance of a GPS pose along the map's axes. */
-Matrix6 gps_covariance(const TGraphOptions& options, const Position& position, bool has_heading)
+Matrix6 gps_covariance(const TGraphOptions& options,
+                       const Position& position,
+                       const std::optional<Heading>& heading)
 {
     constexpr double kVertical = 2;  // times the horizontal, as is usual
     constexpr double kAnyHeading = 3.14159265358979323846;
     const double sigma = options.gps_sigma_m * position.fix.hdop;
     const double attitude = options.planar_attitude_deg * kRadiansPerDegree;
-    const double heading =
-        has_heading ? std::min(kAnyHeading, std::sqrt(2.0) * sigma / options.gps_heading_baseline_m)
-                    : kAnyHeading;
+    const double turn =
+        heading ? std::min(kAnyHeading, std::sqrt(2.0) * sigma / heading->baseline) : kAnyHeading;
     Vector6 deviations;
-    deviations << sigma, sigma, kVertical * sigma, attitude, attitude, heading;
+    deviations << sigma, sigma, kVertical * sigma, attitude, attitude, turn;
     return deviations.cwiseAbs2().asDiagonal();
 }
 
@@ -342,10 +363,12 @@ std::vector<Reading> readings_of_gps(const std::vector<Position>& positions,
         Reading reading{position.seconds, {}};
         auto& pose = reading.at.map_from_robot;
         pose.rotation =
-            Eigen::AngleAxisd(headings[i].value_or(0), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+            Eigen::AngleAxisd(headings[i].value_or(Heading()).angle, Eigen::Vector3d::UnitZ())
+                .toRotationMatrix();
         pose.translation =
             position.map_from_antenna - pose.rotation * position.fix.antenna_on_robot;
-        reading.at.absolute = gps_covariance(options, position, headings[i].has_value());
+        reading.at.absolute = gps_covariance(options, position, headings[i]);
+        reading.at.is_independent = true;
         readings.push_back(reading);
     }
     return readings;
@@ -388,12 +411,18 @@ void TrajectoryBuilder::feed(const mrpt::obs::CObservation& observation)
         state_->place_pending_movement(seconds_of(observation));
     if (has_time) state_->last_observation_seconds = seconds_of(observation);
     const bool wants_gps = state_->options.motion_source == MotionSource::gps;
-    const auto reading = wants_gps ? std::nullopt : pose_reading_of(observation);
-    if (!reading && !(wants_gps && is_gps(observation))) return;
+    const bool is_fix = is_gps(observation);
+    const auto reading = pose_reading_of(observation);
+    if (!reading && !is_fix) return;
     const auto name = describe(observation.GetRuntimeClass()->className, observation.sensorLabel);
+    if (is_fix != wants_gps)
+    {
+        state_->other_sources.insert(name);
+        return;
+    }
     if (!state_->is_source(name, observation.sensorLabel)) return;
-    const auto fix = wants_gps ? gps_fix_of(observation) : std::nullopt;
-    if (!has_time || (wants_gps && !fix))
+    const auto fix = is_fix ? gps_fix_of(observation) : std::nullopt;
+    if (!has_time || (is_fix && !fix))
         ++state_->report.unusable_readings;
     else if (fix)
         state_->add_fix(seconds_of(observation), *fix);
@@ -403,10 +432,12 @@ void TrajectoryBuilder::feed(const mrpt::obs::CObservation& observation)
 
 void TrajectoryBuilder::feed(const mrpt::obs::CActionCollection& actions)
 {
-    if (state_->options.motion_source == MotionSource::gps) return;
     const auto reading = movement_reading_of(actions);
-    if (!reading || !state_->is_source("actions", "")) return;
-    state_->add_movement(*reading);
+    if (!reading) return;
+    if (state_->options.motion_source == MotionSource::gps)
+        state_->other_sources.insert("actions");
+    else if (state_->is_source("actions", ""))
+        state_->add_movement(*reading);
 }
 
 void TrajectoryBuilder::add_frame(FrameId frame, double timestamp)
@@ -418,11 +449,30 @@ void TrajectoryBuilder::add_frame(FrameId frame, double timestamp)
     state_->frames.push_back({frame, timestamp, state_->report.readings});
 }
 
+std::size_t TrajectoryBuilder::readings() const
+{
+    return state_->report.readings;
+}
+
+std::optional<RelativeMotion> TrajectoryBuilder::motion_so_far() const
+{
+    const auto& readings = state_->readings;
+    if (readings.size() < 2) return std::nullopt;
+    const auto frame = [](FrameId id, const Reading& reading) {
+        return Trajectory::Frame{id, reading.seconds, reading.at};
+    };
+    const FrameId first{0};
+    const FrameId last{1};
+    return Trajectory({frame(first, readings.front()), frame(last, readings.back())}, {})
+        .motion(first, last);
+}
+
 Trajectory TrajectoryBuilder::build() const
 {
     const bool is_gps = state_->options.motion_source == MotionSource::gps;
-    const auto readings =
-        is_gps ? readings_of_gps(state_->positions, state_->options) : state_->readings;
+    const auto of_gps =
+        is_gps ? readings_of_gps(state_->positions, state_->options) : std::vector<Reading>();
+    const auto& readings = is_gps ? of_gps : state_->readings;
     auto report = state_->report;
     report.other_sources.assign(state_->other_sources.begin(), state_->other_sources.end());
     std::vector<Trajectory::Frame> frames;

@@ -16,6 +16,7 @@ struct UncertainPose
     Matrix6 accumulated = Matrix6::Zero();
     /** Covariance of the pose itself, position and rotation vector along the map's axes. */
     std::optional<Matrix6> absolute;
+    bool is_independent = false;  ///< `absolute` shares no error with that of other poses
     double planar_attitude = 0;  ///< radians: pitch and roll are unknown by so much; 0: known
 };
 

@@ -11,6 +11,10 @@ namespace fild
 MotionSinceNode::MotionSinceNode(const TGraphOptions& options)
     : options_(options), builder_(std::make_unique<TrajectoryBuilder>(options))
 {
+    if (options.motion_source == MotionSource::gps)
+        throw std::invalid_argument(
+            "[graph] motion_source=gps: nodes of an engine are too near to each other to tell a "
+            "heading from GPS; use odometry, or rawlog-loop-closure");
 }
 
 void MotionSinceNode::feed(const mrpt::obs::CActionCollection& actions)
@@ -21,14 +25,13 @@ void MotionSinceNode::feed(const mrpt::obs::CActionCollection& actions)
 bool MotionSinceNode::feed(const std::shared_ptr<mrpt::obs::CObservation>& observation)
 {
     builder_->feed(*observation);
-    const auto readings = builder_->build().report().readings;
+    const auto readings = builder_->readings();
     if (readings == readings_) return false;
     readings_ = readings;
     last_reading_ = observation;
     timestamp_ = mrpt::Clock::toDouble(observation->timestamp);
-    builder_->add_frame(FrameId{moments_++}, timestamp_);
-    if (moments_ == 1) return true;
-    motion_ = builder_->build().motion(FrameId{0}, FrameId{moments_ - 1});
+    if (readings == 1) return true;
+    motion_ = builder_->motion_so_far();
     if (!motion_)
         throw std::runtime_error(
             "the odometry was reset or jumped at " + std::to_string(timestamp_) +
@@ -41,9 +44,7 @@ void MotionSinceNode::begin_at_node()
 {
     builder_ = std::make_unique<TrajectoryBuilder>(options_);
     builder_->feed(*last_reading_);
-    readings_ = builder_->build().report().readings;  // none, where motions come from actions
-    builder_->add_frame(FrameId{0}, timestamp_);
-    moments_ = 1;
+    readings_ = builder_->readings();  // none, where motions come from actions
     motion_.reset();
 }
 

@@ -42,24 +42,13 @@ std::string to_word(Withheld reason)
     return "";
 }
 
-const std::vector<Withheld>& all_withheld()
+namespace
 {
-    static const std::vector<Withheld> all = {
-        Withheld::none,
-        Withheld::not_enabled,
-        Withheld::not_calibrated,
-        Withheld::distorted,
-        Withheld::no_odometry,
-        Withheld::no_depth,
-        Withheld::too_few_points,
-        Withheld::no_model,
-        Withheld::degenerate,
-        Withheld::disagreement,
-        Withheld::singular_covariance,
-        Withheld::frame_without_pose,
-    };
-    return all;
+RigidTransform robot_from_camera(const MetricView& view)
+{
+    return view.robot_from_camera.value_or(RigidTransform());
 }
+}  // namespace
 
 std::optional<RelativeMotion> robot_motion(const UncertainTransform& candidate_from_query,
                                            const MetricView& candidate,
@@ -67,10 +56,8 @@ std::optional<RelativeMotion> robot_motion(const UncertainTransform& candidate_f
 {
     try
     {
-        const auto constraint =
-            robot_constraint(candidate_from_query,
-                             candidate.robot_from_camera.value_or(RigidTransform()),
-                             query.robot_from_camera.value_or(RigidTransform()));
+        const auto constraint = robot_constraint(
+            candidate_from_query, robot_from_camera(candidate), robot_from_camera(query));
         RelativeMotion motion;
         motion.a_from_b = constraint.mean;
         const auto covariance = constraint.cov_inv.inverse_LLt();
@@ -84,6 +71,16 @@ std::optional<RelativeMotion> robot_motion(const UncertainTransform& candidate_f
     {
     }
     return std::nullopt;
+}
+
+UnscaledMotion unscaled_motion(const RigidTransform& candidate_from_query_unscaled,
+                               const MetricView& candidate,
+                               const MetricView& query)
+{
+    const cv::Matx33d candidate_rotation = robot_from_camera(candidate).rotation;
+    const cv::Matx33d query_rotation = robot_from_camera(query).rotation;
+    return {candidate_rotation * candidate_from_query_unscaled.rotation * query_rotation.t(),
+            candidate_rotation * candidate_from_query_unscaled.translation};
 }
 
 }  // namespace fild

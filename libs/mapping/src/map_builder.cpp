@@ -44,6 +44,10 @@ void set_pose(LoopEdge& edge, const RelativePose& pose, const Place& candidate, 
                               query.metric.depth_defect == DepthDefect::distorted;
     if (edge.withheld == Withheld::not_calibrated && is_distorted)
         edge.withheld = Withheld::distorted;
+    edge.unscaled.reset();
+    if (pose.candidate_from_query_unscaled)
+        edge.unscaled =
+            unscaled_motion(*pose.candidate_from_query_unscaled, candidate.metric, query.metric);
     if (!pose.candidate_from_query) return;
     edge.motion = robot_motion(*pose.candidate_from_query, candidate.metric, query.metric);
     if (!edge.motion) edge.withheld = Withheld::singular_covariance;
@@ -92,28 +96,37 @@ void MapBuilder::add(const DetectorOutcome& outcome)
     if (loops_.back().pose) loops_.back().pose->inliers = {};  // no longer needed
 }
 
-Map MapBuilder::build(const LoopDetector& detector, StageTimes& times) const
+Map MapBuilder::build(const LoopDetector& detector, StageTimes& times, const GoOn& go_on) const
 {
-    auto map = map_on_trajectory(detector, times);
+    go_on();
+    auto map = map_on_trajectory(detector, times, go_on);
     map.loops.reserve(loops_.size());
     for (const auto& loop : loops_) map.loops.push_back(edge_of(loop, detector));
-    if (detector_options_.relative_pose.enabled) scale_by_motion(map, detector, times);
+    if (detector_options_.relative_pose.enabled) scale_by_motion(map, detector, times, go_on);
+    go_on();
     const StageTimer timer(times, "graph");
     solve(map);
     return map;
 }
 
-Map MapBuilder::map_on_trajectory(const LoopDetector& detector, StageTimes& times) const
+Map MapBuilder::map_on_trajectory(const LoopDetector& detector,
+                                  StageTimes& times,
+                                  const GoOn& go_on) const
 {
+    std::vector<std::string> unused;
     {
         const StageTimer timer(times, "trajectory");
         auto recorded = trajectory_.build();
-        if (!recorded.report().source.empty())
-            return {std::move(recorded), TrajectorySource::recorded};
+        unused = recorded.report().other_sources;
+        if (!recorded.poses().empty())
+            return {std::move(recorded), TrajectorySource::recorded, std::move(unused)};
+        if (const auto& source = recorded.report().source; !source.empty())
+            unused.insert(unused.begin(), source);
     }
-    const auto motions = visual_odometry(detector, end_, detector_options_, times);
+    const auto motions = visual_odometry(detector, end_, detector_options_, times, go_on);
     return {trajectory_from_motions(motions),
-            motions.empty() ? TrajectorySource::none : TrajectorySource::vision};
+            motions.empty() ? TrajectorySource::none : TrajectorySource::vision,
+            std::move(unused)};
 }
 
 LoopEdge MapBuilder::edge_of(const Loop& loop, const LoopDetector& detector) const
@@ -129,7 +142,10 @@ LoopEdge MapBuilder::edge_of(const Loop& loop, const LoopDetector& detector) con
     return edge;
 }
 
-void MapBuilder::scale_by_motion(Map& map, const LoopDetector& detector, StageTimes& times) const
+void MapBuilder::scale_by_motion(Map& map,
+                                 const LoopDetector& detector,
+                                 StageTimes& times,
+                                 const GoOn& go_on) const
 {
     std::vector<std::size_t> without_depth;
     for (std::size_t i = 0; i < map.loops.size(); ++i)
@@ -148,6 +164,7 @@ void MapBuilder::scale_by_motion(Map& map, const LoopDetector& detector, StageTi
     timed_parallel_for(num_threads,
                        frames.size(),
                        times,
+                       go_on,
                        [&](std::size_t i, StageTimes& own_times)
                        { depths[i] = scale.depths_of(frames[i], own_times); });
     std::map<FrameId, const KeypointDepths*> depths_of;
@@ -160,6 +177,7 @@ void MapBuilder::scale_by_motion(Map& map, const LoopDetector& detector, StageTi
     timed_parallel_for(num_threads,
                        without_depth.size(),
                        times,
+                       go_on,
                        [&](std::size_t i, StageTimes& own_times)
                        {
                            auto& edge = map.loops[without_depth[i]];

@@ -58,14 +58,13 @@ KeypointDepths MotionScale::depths_of(FrameId frame, StageTimes& times) const
 
 KeypointDepths MotionScale::best_of(FrameId frame, Direction direction, StageTimes& times) const
 {
-    constexpr int kMaxFrames = 300;  // looked at: a robot may have stood still
     constexpr double kGrowth = 1.5;
     constexpr int kPatience = 2;  // others in a row that give no more depths
     KeypointDepths best;
     double least = options_.min_baseline_m;
     auto other = next(frame, direction);
     int not_better = 0;
-    for (int i = 0; other && i < kMaxFrames && not_better < kPatience; ++i)
+    for (std::size_t i = 0; other && i < kMaxFrames && not_better < kPatience; ++i)
     {
         const auto motion = trajectory_.motion(*other, frame);
         const double baseline = motion ? motion->a_from_b.norm() : 0;

@@ -47,10 +47,17 @@ TDetectorOptions without_doubt(const TDetectorOptions& options)
 void timed_parallel_for(int num_threads,
                         std::size_t count,
                         StageTimes& times,
+                        const GoOn& go_on,
                         const std::function<void(std::size_t, StageTimes&)>& body)
 {
     std::vector<StageTimes> own_times(count);
-    parallel_for(num_threads, count, [&](std::size_t i) { body(i, own_times[i]); });
+    parallel_for(num_threads,
+                 count,
+                 [&](std::size_t i)
+                 {
+                     go_on();
+                     body(i, own_times[i]);
+                 });
     for (const auto& own : own_times) times.merge(own);
 }
 

@@ -5,6 +5,8 @@
 #include "fild/mapping/motion_scale.h"
 #include "fild/mapping/pair_poses.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -121,12 +123,20 @@ class Chain
         return between_.between(last_, depths, i, times);
     }
 
+    /** As many as MotionScale looks back on. */
+    std::vector<MeasuredMotion> latest_motions() const
+    {
+        constexpr std::size_t kMost = MotionScale::kMaxFrames;
+        const auto count = static_cast<std::ptrdiff_t>(std::min(motions_.size(), kMost));
+        return {motions_.end() - count, motions_.end()};
+    }
+
     const KeypointDepths& far_depths_of_last(StageTimes& times)
     {
         if (far_depths_of_ != last_)
         {
-            const auto so_far = trajectory_from_motions(motions_);
-            far_depths_ = MotionScale(detector_, so_far, options_).depths_of(frames_[last_], times);
+            const auto before = trajectory_from_motions(latest_motions());
+            far_depths_ = MotionScale(detector_, before, options_).depths_of(frames_[last_], times);
             far_depths_of_ = last_;
         }
         return far_depths_;
@@ -146,22 +156,29 @@ class Chain
 std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
                                             FrameId end,
                                             const TDetectorOptions& options,
-                                            StageTimes& times)
+                                            StageTimes& times,
+                                            const GoOn& go_on)
 {
     const StageTimer timer(times, "visual_odometry");
     const auto camera = camera_with_depths(detector, end);
     if (!camera) return {};
     const auto frames = frames_of(*camera, detector, end);
+    if (frames.empty()) return {};
     const FrameMotions motions(detector, frames, options);
     std::vector<std::optional<MeasuredMotion>> to_next(frames.size() - 1);
     timed_parallel_for(options.runtime.num_threads,
                        to_next.size(),
                        times,
+                       go_on,
                        [&](std::size_t i, StageTimes& own_times)
                        { to_next[i] = motions.between(i, i + 1, own_times); });
 
     Chain chain(motions, detector, frames, options);
-    for (std::size_t i = 1; i < frames.size(); ++i) chain.add(i, std::move(to_next[i - 1]), times);
+    for (std::size_t i = 1; i < frames.size(); ++i)
+    {
+        go_on();
+        chain.add(i, std::move(to_next[i - 1]), times);
+    }
     return std::move(chain).motions();
 }
 

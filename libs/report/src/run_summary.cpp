@@ -59,6 +59,7 @@ Json map_json(const MapSummary& map)
             {"resets", map.resets},
             {"gaps", map.gaps},
             {"clock_jumps", map.clock_jumps},
+            {"late_readings", map.late_readings},
             {"unusable_readings", map.unusable_readings},
             {"depth_sources", counts_json(map.depth_sources)},
             {"depth_defects", counts_json(map.depth_defects)},

@@ -45,10 +45,39 @@ void write_verdict(std::ostream& out, const FrameVerdict& verdict, const std::st
         << depth_source;
 }
 
+constexpr std::size_t kNumbers = std::tuple_size_v<LoopRow::PoseNumbers>;
+
 void write_numbers(std::ostream& out, const LoopRow::PoseNumbers& numbers)
 {
     for (std::size_t i = 0; i < numbers.size(); ++i)
         out << ',' << fixed6(i < 3 ? numbers[i] : numbers[i] / kRadiansPerDegree);
+}
+
+/** Columns of the pose and of its standard deviations. */
+void write_pose(std::ostream& out, const LoopRow& loop)
+{
+    if (loop.candidate_from_query)
+    {
+        write_numbers(out, *loop.candidate_from_query);
+        write_numbers(out, loop.deviations);
+    }
+    else if (loop.unscaled)
+    {
+        out << ",,,";
+        for (const double angle : loop.unscaled->angles)
+            out << ',' << fixed6(angle / kRadiansPerDegree);
+        out << std::string(kNumbers, ',');
+    }
+    else
+        out << std::string(2 * kNumbers, ',');
+}
+
+void write_direction(std::ostream& out, const LoopRow& loop)
+{
+    if (!loop.unscaled)
+        out << ",,,";
+    else
+        for (const double each : loop.unscaled->direction) out << ',' << fixed6(each);
 }
 }  // namespace
 
@@ -67,21 +96,18 @@ LoopCsv::LoopCsv(const std::string& path) : file_(path)
 {
     file_.stream() << kVerdictColumns
                    << ",x,y,z,yaw_deg,pitch_deg,roll_deg,sigma_x,sigma_y,sigma_z,sigma_yaw_deg,"
-                      "sigma_pitch_deg,sigma_roll_deg,weight,edge\n";
+                      "sigma_pitch_deg,sigma_roll_deg,weight,edge,direction_x,direction_y,"
+                      "direction_z\n";
 }
 
 void LoopCsv::add(const FrameVerdict& verdict, const std::string& depth_source, const LoopRow& loop)
 {
     auto& out = file_.stream();
     write_verdict(out, verdict, depth_source);
-    if (loop.candidate_from_query)
-    {
-        write_numbers(out, *loop.candidate_from_query);
-        write_numbers(out, loop.deviations);
-    }
-    else
-        out << std::string(2 * std::tuple_size_v<LoopRow::PoseNumbers>, ',');
-    out << ',' << (loop.weight ? fixed6(*loop.weight) : "") << ',' << loop.edge << '\n';
+    write_pose(out, loop);
+    out << ',' << (loop.weight ? fixed6(*loop.weight) : "") << ',' << loop.edge;
+    write_direction(out, loop);
+    out << '\n';
 }
 
 CandidateCsv::CandidateCsv(const std::string& path) : file_(path)

@@ -63,7 +63,8 @@ struct TGraphOptions : Options
     double max_speed_m_per_s = 60;
     /** GPS: standard deviation of a horizontal position at HDOP 1, metres. */
     double gps_sigma_m = 2;
-    /** GPS: the heading is that of a movement of at least so many metres. */
+    /** GPS: the heading is that of a movement of at least so many metres, of half as many at the
+     *  ends of the drive. */
     double gps_heading_baseline_m = 10;
 
     /** A frame becomes a keyframe so far from the keyframe before, or turned by so much, or after

@@ -42,8 +42,9 @@ struct GraphSolution
 
 /** Optimises a graph so that false loops do not bend it: find_consistent_loops(), then
  *  optimize_robustly() with these. A loop that was left out as against others and yet agrees with
- * the poses found (its covariance was a little too small, say) is taken back, once, and the graph
- *  optimised again. Deterministic. \throw std::invalid_argument on a bad graph or bad options. */
+ *  the poses found (its covariance was a little too small, say) is taken back, once, and the graph
+ *  optimised again; not without TGraphOptions::robust_weights, which would catch a wrong one.
+ * Deterministic. \throw std::invalid_argument on a bad graph or bad options. */
 GraphSolution solve_graph(const PoseGraph& graph, const TGraphOptions& options);
 
 /** The graph as solved: nodes at their optimised poses, loops of weight 0 left out, the information

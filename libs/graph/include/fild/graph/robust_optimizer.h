@@ -30,9 +30,10 @@ double squared_error(const GraphEdge& edge,
                      const mrpt::poses::CPose3D& map_from_b);
 
 /** Least squares over all edges, each with its information matrix, loops also with their weight; a
- *  loop of weight 0 takes no part. The first node of each connected part stays where it is.
- *  Levenberg-Marquardt (Ceres), one thread: deterministic.
- *  \throw std::invalid_argument on a bad graph or weights that are not one a loop, in [0, 1]. */
+ *  loop of weight 0 takes no part. The first node of each part that edges connect, whatever the
+ *  loops' weights become, stays where it is. Levenberg-Marquardt (Ceres), one thread:
+ * deterministic. \throw std::invalid_argument on a bad graph or weights that are not one a loop, in
+ * [0, 1]. \throw std::runtime_error when Ceres finds no solution. */
 OptimizedPoses optimize(const PoseGraph& graph,
                         const std::vector<double>& loop_weights,
                         const OptimizationLimits& limits);

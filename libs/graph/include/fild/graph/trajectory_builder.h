@@ -5,7 +5,9 @@
 #include "fild/graph/graph_options.h"
 #include "fild/graph/trajectory.h"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 
 namespace mrpt::obs
 {
@@ -51,6 +53,13 @@ class TrajectoryBuilder
     /** A camera frame at its place among the observations, after its observation was fed. Ids must
      *  increase. \throw std::invalid_argument when they do not. */
     void add_frame(FrameId frame, double timestamp);
+
+    /** Usable readings of the source so far. */
+    std::size_t readings() const;
+
+    /** From the first reading to the last one, in constant time. Nothing before the second one,
+     *  when the odometry was reset between them, and with MotionSource::gps. */
+    std::optional<RelativeMotion> motion_so_far() const;
 
     /** The poses of the frames so far. Costs time in proportion to readings and frames. */
     Trajectory build() const;

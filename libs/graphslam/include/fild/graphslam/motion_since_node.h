@@ -5,7 +5,7 @@
 #include "fild/graph/trajectory.h"
 #include "fild/graph/trajectory_builder.h"
 
-#include <cstdint>
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -18,13 +18,13 @@ class CObservation;
 namespace fild
 {
 /** How the robot moved since the last node of a graph that grows while it drives, with the sources
- *  and the covariance of TrajectoryBuilder. What lies before the node is forgotten, so that time
- *  and memory of a step grow only with the readings since. Deterministic. Not thread-safe: one
+ *  and the covariance of TrajectoryBuilder, but not GPS. What lies before the node is forgotten, so
+ *  that memory grows only with the readings since. Deterministic. Not thread-safe: one
  *  caller at a time. */
 class MotionSinceNode
 {
  public:
-    /** \throw std::invalid_argument on bad options. */
+    /** \throw std::invalid_argument on bad options, and with MotionSource::gps. */
     explicit MotionSinceNode(const TGraphOptions& options);
 
     /** To be called for every entry of a rawlog, in its order. */
@@ -49,7 +49,6 @@ class MotionSinceNode
     std::unique_ptr<TrajectoryBuilder> builder_;
     std::shared_ptr<mrpt::obs::CObservation> last_reading_;
     std::size_t readings_ = 0;  ///< of builder_
-    std::uint64_t moments_ = 0;  ///< of builder_; the first is that of the node
     std::optional<RelativeMotion> motion_;
     double timestamp_ = 0;
 };

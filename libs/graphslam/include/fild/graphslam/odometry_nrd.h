@@ -22,8 +22,8 @@ namespace fild
  *  - Map type: 2D, 3D
  *  - MRPT rawlog format: #1 (actions and sensory frames), #2 (observations)
  *  - Graph type: CPosePDFGaussianInf, CPose3DPDFGaussianInf
- *  - Observations: CObservationOdometry, CObservationRobotPose, CActionRobotMovement2D and 3D,
- *    CObservationGPS; the first source that comes is used throughout, see TrajectoryBuilder
+ *  - Observations: CObservationOdometry, CObservationRobotPose, CActionRobotMovement2D and 3D;
+ *    the first source that comes is used throughout, see TrajectoryBuilder
  *
  *  Keys of section NodeRegistrationDeciderParameters of the engine's .ini file:
  *

@@ -32,8 +32,13 @@ enum class Withheld
 /** The enumerator's name; empty for Withheld::none. */
 std::string to_word(Withheld reason);
 
-/** All reasons in order of declaration, `none` first. */
-const std::vector<Withheld>& all_withheld();
+/** What two images tell of a movement whose length is unknown. Value type. */
+struct UnscaledMotion
+{
+    cv::Matx33d rotation;  ///< of the query's robot in the candidate's frame
+    /** In which the camera moved, in the axes of the candidate's robot; a unit vector. */
+    cv::Vec3d direction;
+};
 
 /** What a loop closure is to the map. Value type. */
 struct LoopEdge
@@ -43,6 +48,7 @@ struct LoopEdge
     Withheld withheld = Withheld::none;  ///< why it is not in the graph
     /** From the candidate's robot to the query's, where it is known. */
     std::optional<RelativeMotion> motion{};
+    std::optional<UnscaledMotion> unscaled{};  ///< where nothing tells the scale
     LoopResult result{};  ///< when it is in the graph
 };
 
@@ -52,5 +58,10 @@ struct LoopEdge
 std::optional<RelativeMotion> robot_motion(const UncertainTransform& candidate_from_query,
                                            const MetricView& candidate,
                                            const MetricView& query);
+
+/** \param candidate_from_query_unscaled  between the cameras, as in RelativePose. */
+UnscaledMotion unscaled_motion(const RigidTransform& candidate_from_query_unscaled,
+                               const MetricView& candidate,
+                               const MetricView& query);
 
 }  // namespace fild

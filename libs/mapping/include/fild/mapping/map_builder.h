@@ -8,8 +8,10 @@
 #include "fild/graph/loop_selection.h"
 #include "fild/graph/trajectory_builder.h"
 #include "fild/mapping/loop_edge.h"
+#include "fild/mapping/pair_poses.h"
 
 #include <set>
+#include <string>
 #include <vector>
 
 namespace fild
@@ -30,6 +32,7 @@ struct Map
 {
     Trajectory trajectory;  ///< as it was before the loops
     TrajectorySource trajectory_source = TrajectorySource::none;
+    std::vector<std::string> unused_sources{};  ///< of motion, that the recording has too
     /** Nodes at their optimised poses, loops with a weight of more than 0; see solved_graph(). */
     PoseGraph graph{};
     std::vector<std::vector<FrameId>> parts{};  ///< of the graph, see connected_parts()
@@ -64,9 +67,12 @@ class MapBuilder
 
     /** The map of all so far.
      *  \param detector  that gave the outcomes, with the same options.
+     *  \param go_on  called again and again, by several threads at a time; what it throws ends the
+     *         work and is thrown on.
      *  \param times receives "trajectory", "visual_odometry", "motion_depth", "graph", and the
      *         stages of the pairs of frames that were looked at. */
-    Map build(const LoopDetector& detector, StageTimes& times) const;
+    Map build(
+        const LoopDetector& detector, StageTimes& times, const GoOn& go_on = [] {}) const;
 
  private:
     struct Loop
@@ -76,9 +82,12 @@ class MapBuilder
         std::optional<RelativePose> pose;
     };
 
-    Map map_on_trajectory(const LoopDetector& detector, StageTimes& times) const;
+    Map map_on_trajectory(const LoopDetector& detector, StageTimes& times, const GoOn& go_on) const;
     LoopEdge edge_of(const Loop& loop, const LoopDetector& detector) const;
-    void scale_by_motion(Map& map, const LoopDetector& detector, StageTimes& times) const;
+    void scale_by_motion(Map& map,
+                         const LoopDetector& detector,
+                         StageTimes& times,
+                         const GoOn& go_on) const;
     void solve(Map& map) const;
 
     TDetectorOptions detector_options_;

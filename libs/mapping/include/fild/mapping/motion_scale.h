@@ -7,6 +7,7 @@
 #include "fild/geometry/keypoint_depths.h"
 #include "fild/graph/trajectory.h"
 
+#include <cstddef>
 #include <optional>
 
 namespace fild
@@ -21,6 +22,9 @@ namespace fild
 class MotionScale
 {
  public:
+    /** So many frames are looked at in either direction: a robot may have stood still. */
+    static constexpr std::size_t kMaxFrames = 300;
+
     /** \param detector,trajectory  outlive this. \throw std::invalid_argument on bad options. */
     MotionScale(const LoopDetector& detector,
                 const Trajectory& trajectory,

@@ -39,10 +39,15 @@ class PairPoses
  *  half the share of them that is asked of a loop. */
 TDetectorOptions without_doubt(const TDetectorOptions& options);
 
-/** parallel_for() whose bodies time their stages: the times are added up in the order of i. */
+/** Throws when a long work shall end. */
+using GoOn = std::function<void()>;
+
+/** parallel_for() whose bodies time their stages: the times are added up in the order of i.
+ *  \param go_on  called before each body. */
 void timed_parallel_for(int num_threads,
                         std::size_t count,
                         StageTimes& times,
+                        const GoOn& go_on,
                         const std::function<void(std::size_t, StageTimes&)>& body);
 
 }  // namespace fild

@@ -4,6 +4,7 @@
 #include "fild/core/stage_times.h"
 #include "fild/detector/loop_detector.h"
 #include "fild/graph/trajectory.h"
+#include "fild/mapping/pair_poses.h"
 
 #include <vector>
 
@@ -18,12 +19,14 @@ namespace fild
  *  when a later one does; else the chain is broken there, which trajectory_from_motions() makes a
  *  new segment of. Deterministic, with any number of threads.
  *  \param end  the first frame that is not looked at.
+ *  \param go_on  as MapBuilder::build().
  *  \param times receives "visual_odometry", and within it "matching", "verification",
  *         "relative_pose" and "motion_depth".
  *  \return none when no frame has depths. */
 std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
                                             FrameId end,
                                             const TDetectorOptions& options,
-                                            StageTimes& times);
+                                            StageTimes& times,
+                                            const GoOn& go_on);
 
 }  // namespace fild

@@ -22,6 +22,7 @@ struct MapSummary
     std::size_t resets = 0;  ///< of the odometry, or breaks of what the images tell
     std::size_t gaps = 0;  ///< times without a reading
     std::size_t clock_jumps = 0;  ///< of the readings
+    std::size_t late_readings = 0;  ///< left out: up to a second older than the one before
     std::size_t unusable_readings = 0;
     /** Frames by where the depths of their keypoints come from, and by why there are none. */
     std::map<std::string, std::size_t> depth_sources;

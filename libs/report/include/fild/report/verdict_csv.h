@@ -43,6 +43,14 @@ struct LoopRow
 
     /** Of the query's robot in the frame of the candidate's; nothing when it is not known. */
     std::optional<PoseNumbers> candidate_from_query;
+    /** Where the scale is unknown: yaw, pitch and roll of that pose, radians, and the direction in
+     *  which the camera moved, a unit vector in the axes of the candidate's robot. */
+    struct Unscaled
+    {
+        std::array<double, 3> angles;
+        std::array<double, 3> direction;
+    };
+    std::optional<Unscaled> unscaled;
     PoseNumbers deviations{};
     std::optional<double> weight;  ///< in the optimised graph; nothing when it is no edge of it
     std::string edge;  ///< `used`, or why the loop is no edge or has no weight
@@ -52,7 +60,7 @@ struct LoopRow
  *  VerdictCsv, and
  *
  *  `x,y,z,yaw_deg,pitch_deg,roll_deg,sigma_x,sigma_y,sigma_z,sigma_yaw_deg,sigma_pitch_deg,`
- *  `sigma_roll_deg,weight,edge`
+ *  `sigma_roll_deg,weight,edge,direction_x,direction_y,direction_z`
  *
  *  with 6 decimals; fields of what is not known are empty. Not thread-safe: one caller at a time.
  */
