@@ -164,8 +164,7 @@ std::optional<Map> build_what_can_be_built(const MapBuilder& builder,
     try
     {
         auto map = builder.build(detector, times, throw_if_interrupted);
-        summary.map = summary_of(map);
-        summary.map.frames_without_pose = summary.camera_frames - map.trajectory.poses().size();
+        summary.map = summary_of(map, summary.camera_frames);
         return map;
     }
     catch (const std::exception& error)
@@ -199,12 +198,17 @@ void write_what_can_be_written(const RunRequest& request,
     }
 }
 
+/** A pair or a depth image that serves no frame at all is told. */
 void count_depth_defects(const LoopDetector& detector, RunSummary& summary)
 {
+    auto& defects = summary.map.depth_defects;
     for (std::size_t i = 0; i < summary.camera_frames; ++i)
         if (const auto* place = detector.find_place(FrameId{i}))
             if (place->metric.depth_defect != DepthDefect::none)
-                ++summary.map.depth_defects[to_word(place->metric.depth_defect)];
+                ++defects[to_word(place->metric.depth_defect)];
+    for (const auto& [defect, count] : defects)
+        if (count == summary.camera_frames && defect != to_word(DepthDefect::mono))
+            summary.map.notes.push_back("no frame has a depth of its own: " + defect);
 }
 
 /** Draws the match pictures; an error or an interruption ends only the drawing. */

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 
 namespace fild
@@ -53,10 +54,16 @@ std::string joined(const std::vector<std::string>& names)
 /** Why no reading of the robot's motion was used, where there are some. */
 void add_note_on_sources(const Map& map, MapSummary& summary)
 {
-    if (map.trajectory_source == TrajectorySource::recorded || map.unused_sources.empty()) return;
-    summary.notes.push_back(joined(map.unused_sources) +
-                            " of the recording gives no frame a pose, or is not what [graph] "
-                            "motion_source and motion_sensor_label ask for");
+    if (map.unused_sources.empty()) return;
+    const auto unused = joined(map.unused_sources);
+    if (map.trajectory_source == TrajectorySource::recorded)
+        summary.notes.push_back("the robot's motion is that of " + summary.trajectory_source +
+                                "; not used: " + unused +
+                                "; [graph] motion_source and motion_sensor_label choose");
+    else
+        summary.notes.push_back(unused +
+                                " of the recording gives no frame a pose, or is not what [graph] "
+                                "motion_source and motion_sensor_label ask for");
 }
 
 /** What the user should know of the loops that are no edges. */
@@ -77,6 +84,38 @@ void add_notes_on_loops(MapSummary& summary)
     add(withheld(Withheld::distorted), "lens distortion was left in; set [input] undistort = true");
     add(withheld(Withheld::no_odometry),
         "a single camera sees directions but no distances, and there is no odometry");
+    add(withheld(Withheld::frame_without_pose), "nothing tells where the robot was at its frames");
+}
+
+/** What has its own note is left out. */
+void add_note_on_most_loops(const Map& map, MapSummary& summary)
+{
+    std::map<std::string, std::size_t> lost = summary.loops_without_weight;
+    for (const auto& [reason, count] : summary.loops_withheld) lost[reason] += count;
+    for (const auto told : {Withheld::not_calibrated,
+                            Withheld::distorted,
+                            Withheld::no_odometry,
+                            Withheld::frame_without_pose,
+                            Withheld::not_enabled})
+        lost.erase(to_word(told));
+    std::size_t sum = 0;
+    std::string reasons;
+    for (const auto& [reason, count] : lost)
+    {
+        sum += count;
+        reasons += (reasons.empty() ? "" : ", ") + reason + " " + std::to_string(count);
+    }
+    if (2 * sum > map.loops.size())
+        summary.notes.push_back(std::to_string(sum) + " of " +
+                                count_of(map.loops.size(), "loop closure") +
+                                " have no part in the map: " + reasons);
+}
+
+void add_note_on_frames(const Map& map, MapSummary& summary)
+{
+    if (map.trajectory.poses().empty() || summary.frames_without_pose == 0) return;
+    summary.notes.push_back(count_of(summary.frames_without_pose, "frame") +
+                            " without a pose, for which no motion is known");
 }
 
 LoopRow::Unscaled unscaled_row(const UnscaledMotion& motion)
@@ -134,11 +173,13 @@ std::vector<std::string> write_map_files(const Map& map,
     write_trajectories(map, rawlog, options.trajectory_format, folder, notes);
     const auto connected = part_of(map.graph, map.parts.front());
     if (map.parts.size() > 1)
-        notes.push_back(
-            "the pose graph is in " + std::to_string(map.parts.size()) +
-            " parts that nothing connects; poses.graph and poses.g2o have the largest, " +
-            std::to_string(connected.nodes.size()) + " of " +
-            std::to_string(map.graph.nodes.size()) + " keyframes");
+        notes.push_back("the pose graph is in " + std::to_string(map.parts.size()) +
+                        " parts that nothing connects, and where they lie to each other is "
+                        "unknown; poses.graph "
+                        "and poses.g2o have the largest, " +
+                        std::to_string(connected.nodes.size()) + " of " +
+                        std::to_string(map.graph.nodes.size()) +
+                        " keyframes, the other files have all");
     if (connected.nodes.size() > 1)
     {
         write_mrpt_graph(folder.file("poses.graph"), connected, options.graph_dimensions);
@@ -152,9 +193,10 @@ std::vector<std::string> write_map_files(const Map& map,
     return notes;
 }
 
-MapSummary summary_of(const Map& map)
+MapSummary summary_of(const Map& map, std::size_t camera_frames)
 {
     MapSummary summary;
+    summary.frames_without_pose = camera_frames - map.trajectory.poses().size();
     const auto& report = map.trajectory.report();
     summary.trajectory = to_word(map.trajectory_source);
     if (map.trajectory_source == TrajectorySource::recorded)
@@ -181,7 +223,9 @@ MapSummary summary_of(const Map& map)
     summary.is_largest_set = map.is_largest_set;
     summary.optimizations = map.optimizations;
     add_note_on_sources(map, summary);
+    add_note_on_frames(map, summary);
     add_notes_on_loops(summary);
+    add_note_on_most_loops(map, summary);
     return summary;
 }
 

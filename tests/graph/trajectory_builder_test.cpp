@@ -58,11 +58,13 @@ TEST(TrajectoryBuilder, FindsReadingsThatCameAfterTheFrame)
     builder.add_frame(FrameId{0}, 3.5);
     builder.add_frame(FrameId{1}, 0.5);  // a camera that is late
     drive(builder, 3, 6);
-    builder.add_frame(FrameId{2}, 5.4);  // after the last reading: the robot is where it was
+    builder.add_frame(FrameId{2}, 5.4);  // after the last reading: the robot moves on
+    builder.add_frame(FrameId{3}, 6.4);  // but nobody knows how far
     const auto trajectory = builder.build();
     EXPECT_NEAR(x_of(trajectory, 0), 3.5, 1e-9);
     EXPECT_NEAR(x_of(trajectory, 1), 0.5, 1e-9);
-    EXPECT_NEAR(x_of(trajectory, 2), 5, 1e-9);
+    EXPECT_NEAR(x_of(trajectory, 2), 5.4, 1e-9);
+    EXPECT_FALSE(trajectory.pose(FrameId{3}));
     EXPECT_EQ(trajectory.report().source, "CObservationOdometry 'WHEELS'");
     EXPECT_EQ(trajectory.report().readings, 6U);
 }
@@ -86,10 +88,14 @@ TEST(TrajectoryBuilder, HasNoPoseInAGap)
                             FrameId{7},
                             FrameId{8},
                             FrameId{9},
+                            FrameId{13},
                             FrameId{14}));
     const auto across = trajectory.motion(FrameId{1}, FrameId{10});
     ASSERT_TRUE(across) << "the odometer went on counting";
     EXPECT_NEAR(across->a_from_b.x(), 9, 1e-9);
+    const auto way = across->covariance(0, 0);
+    const auto without_gap = trajectory.motion(FrameId{0}, FrameId{1})->covariance(0, 0) * 9;
+    EXPECT_GT(way, 1.5 * without_gap) << "what it drove in the gap may be more than its ends tell";
     EXPECT_FALSE(trajectory.pose(FrameId{2}));
     EXPECT_FALSE(trajectory.motion(FrameId{1}, FrameId{2}));
 }

@@ -47,6 +47,15 @@ TEST(CameraConversion, TakesMrptsDefaultCameraForUncalibrated)
     EXPECT_FALSE(camera_model_from(mrpt::img::TCamera()));
 }
 
+TEST(CameraConversion, TakesNumbersThatAreNoneForUncalibrated)
+{
+    mrpt::img::TCamera camera;
+    camera.setIntrinsicParamsFromValues(400, 400, 320, 240);
+    EXPECT_TRUE(fild::camera_model_from(camera));
+    camera.dist[0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(fild::camera_model_from(camera));
+}
+
 TEST(CameraConversion, SkipsTheGapInMrptsFisheyeCoefficients)
 {
     mrpt::img::TCamera fisheye;

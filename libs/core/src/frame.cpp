@@ -23,6 +23,8 @@ std::string to_word(DepthDefect defect)
             return "unusable_baseline";
         case DepthDefect::missing_depth_image:
             return "missing_depth_image";
+        case DepthDefect::empty_depth_image:
+            return "empty_depth_image";
     }
     return "";
 }

@@ -19,6 +19,8 @@ namespace fild
 {
 namespace
 {
+constexpr double kHalfTurn = 180 * kRadiansPerDegree;
+
 /** The robot's pose at one moment. */
 struct Reading
 {
@@ -32,6 +34,21 @@ struct Position
     double seconds = 0;
     Eigen::Vector3d map_from_antenna;
     GpsFix fix;
+};
+
+/** What the poses told outside of gaps. */
+struct Driven
+{
+    double seconds = 0;
+    double way = 0;  ///< metres
+    double turn = 0;  ///< radians, left and right alike
+
+    void add(const Rigid& movement, double elapsed)
+    {
+        seconds += elapsed;
+        way += movement.translation.norm();
+        turn += tangent_of(movement).tail<3>().norm();
+    }
 };
 
 /** A camera frame, and how many readings there were before it. */
@@ -49,7 +66,7 @@ struct ClockRun
     std::size_t end = 0;
 };
 
-/** The pose at a share, in [0, 1], of the way from a to b. */
+/** The pose at a share of the way from a to b; below 0 and above 1 as if the robot moved on. */
 Rigid between(const Rigid& a, const Rigid& b, double share)
 {
     const Eigen::Quaterniond turn =
@@ -63,8 +80,9 @@ UncertainPose between(const UncertainPose& a, const UncertainPose& b, double sha
     UncertainPose result = b;
     result.map_from_robot = between(a.map_from_robot, b.map_from_robot, share);
     result.accumulated = a.accumulated + share * (b.accumulated - a.accumulated);
+    const double inside = std::clamp(share, 0.0, 1.0);
     if (a.absolute && b.absolute)
-        result.absolute = *a.absolute + share * (*b.absolute - *a.absolute);
+        result.absolute = *a.absolute + inside * (*b.absolute - *a.absolute);
     return result;
 }
 
@@ -90,25 +108,29 @@ struct Found
     std::size_t reading = 0;
 };
 
-/** Nothing when the time is in a gap, or too far before or after the run. */
+/** Before the first and after the last reading the robot moves on as it did, for as long as one
+ *  reading is from the next. Nothing further away, or in a gap. */
 std::optional<Found> pose_in_run(const std::vector<Reading>& readings,
                                  ClockRun run,
                                  double seconds,
                                  double max_gap)
 {
+    constexpr double kSameMoment = 0.1;  // s
     const auto alone = [&](std::size_t i) -> std::optional<Found>
     {
-        if (std::abs(readings[i].seconds - seconds) > max_gap) return std::nullopt;
+        if (std::abs(readings[i].seconds - seconds) > kSameMoment) return std::nullopt;
         return Found{readings[i].at, i};
     };
     if (run.end - run.begin == 1) return alone(run.begin);
     const auto i = std::max(run.begin, reading_before(readings, run, seconds));
     const auto& a = readings[i];
     const auto& b = readings[i + 1];
-    if (seconds <= a.seconds) return alone(i);
-    if (seconds >= b.seconds) return alone(i + 1);
-    if (b.seconds - a.seconds > max_gap || a.at.segment != b.at.segment) return std::nullopt;
-    return Found{between(a.at, b.at, (seconds - a.seconds) / (b.seconds - a.seconds)), i};
+    const double interval = b.seconds - a.seconds;
+    if (interval > max_gap || a.at.segment != b.at.segment)
+        return alone(seconds - a.seconds < b.seconds - seconds ? i : i + 1);
+    const double share = (seconds - a.seconds) / interval;
+    if (share < -1 || share > 2) return std::nullopt;
+    return Found{between(a.at, b.at, share), share > 1 ? i + 1 : i};
 }
 }  // namespace
 
@@ -122,6 +144,7 @@ struct TrajectoryBuilder::State
     void add_movement(const MovementReading& reading);
     void place_pending_movement(double seconds);
     void add_fix(double seconds, const GpsFix& fix);
+    std::optional<Rigid> hidden_movement(double seconds) const;
     bool is_reset(const Rigid& before, const Rigid& now, double seconds) const;
     void push(double seconds, UncertainPose pose);
     void begin_segment(UncertainPose& pose);
@@ -134,6 +157,7 @@ struct TrajectoryBuilder::State
     std::vector<ClockRun> runs;  ///< of readings, or of positions
     std::optional<double> last_seconds;
     std::optional<Rigid> last_raw;  ///< as the sensor told it
+    Driven driven;
     std::optional<double> last_observation_seconds;  ///< of any sensor
     UncertainPose current;
     bool is_movement_pending = false;
@@ -197,6 +221,18 @@ bool TrajectoryBuilder::State::is_reset(const Rigid& before, const Rigid& now, d
     return begins_anew || moved > options.max_speed_m_per_s * elapsed + kJitter;
 }
 
+/** What the robot may have driven in a gap before a reading, where its ends may lie side by side:
+ *  as far and with as many turns as in the same time before. Nothing where there is no gap. */
+std::optional<Rigid> TrajectoryBuilder::State::hidden_movement(double seconds) const
+{
+    if (!last_seconds || seconds - *last_seconds <= options.max_gap_s || driven.seconds <= 0)
+        return std::nullopt;
+    const double share = (seconds - *last_seconds) / driven.seconds;
+    const double turn = std::min(share * driven.turn, kHalfTurn);
+    return Rigid{Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix(),
+                 {share * driven.way, 0, 0}};
+}
+
 void TrajectoryBuilder::State::begin_segment(UncertainPose& pose)
 {
     ++report.resets;
@@ -230,14 +266,20 @@ void TrajectoryBuilder::State::add_pose(double seconds, const PoseReading& readi
     }
     const Rigid before = last_raw.value_or(reading.pose);
     const bool reset = is_reset(before, reading.pose, seconds);
+    const auto hidden = hidden_movement(seconds);
+    const double elapsed = last_seconds ? seconds - *last_seconds : 0;
     if (!is_usable(seconds)) return;
     auto next = current;
     const Rigid movement = reset ? Rigid() : before.inverse() * reading.pose;
     if (reset) begin_segment(next);
     next.map_from_robot = current.map_from_robot * movement;
     const Matrix6 to_map = adjoint(next.map_from_robot);
-    next.accumulated +=
-        to_map * movement_covariance(options, movement, reading.is_planar) * to_map.transpose();
+    Matrix6 covariance = movement_covariance(options, movement, reading.is_planar);
+    if (hidden)
+        covariance += movement_covariance(options, *hidden, reading.is_planar);
+    else if (!reset && elapsed > 0)
+        driven.add(movement, elapsed);
+    next.accumulated += to_map * covariance * to_map.transpose();
     next.absolute.reset();
     if (options.odometry_covariance == OdometryCovariance::own && reading.covariance)
         next.absolute = turned(*reading.covariance,

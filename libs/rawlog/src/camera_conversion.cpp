@@ -4,6 +4,7 @@
 #include <mrpt/img/TCamera.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fild
 {
@@ -27,7 +28,10 @@ LensModel lens_from(DistortionModel model)
 
 std::optional<CameraModel> camera_model_from(const mrpt::img::TCamera& camera)
 {
-    if (!(camera.fx() > 0 && camera.fy() > 0)) return std::nullopt;
+    const auto is_finite = [](double number) { return std::isfinite(number); };
+    const bool has_all_numbers = is_finite(camera.cx()) && is_finite(camera.cy()) &&
+                                 std::all_of(camera.dist.begin(), camera.dist.end(), is_finite);
+    if (!(camera.fx() > 0 && camera.fy() > 0) || !has_all_numbers) return std::nullopt;
     CameraModel model;
     model.fx = camera.fx();
     model.fy = camera.fy();

@@ -117,7 +117,13 @@ std::string MetricContent::add_depth(Frame& frame, const CObservation3DRangeScan
     if (!ranges.empty())
     {
         frame.depth = depth_on_image(frame, scan, ranges);
-        if (frame.depth.empty()) frame.depth_defect = DepthDefect::not_calibrated;
+        if (frame.depth.empty())
+            frame.depth_defect = DepthDefect::not_calibrated;
+        else if (cv::countNonZero(frame.depth > 0) == 0)
+        {
+            frame.depth.release();
+            frame.depth_defect = DepthDefect::empty_depth_image;
+        }
         return "";
     }
     frame.depth_defect = DepthDefect::missing_depth_image;

@@ -21,7 +21,8 @@ enum class DepthDefect
     distorted,  ///< the lens distortion was left in: pixels are not straight rays
     missing_right_image,  ///< none in the observation, not to be read, or not 8 bit
     unusable_baseline,  ///< see is_usable_baseline()
-    missing_depth_image  ///< none in the observation, not to be read, or of no size
+    missing_depth_image,  ///< none in the observation, not to be read, or of no size
+    empty_depth_image  ///< not one depth in it is a number above 0
 };
 
 /** The enumerator's name; empty for DepthDefect::none. */

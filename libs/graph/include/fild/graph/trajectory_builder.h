@@ -21,7 +21,8 @@ namespace fild
  *
  *  The first source that can serve is used throughout: CObservationOdometry,
  *  CObservationRobotPose, or actions (CActionRobotMovement2D and 3D); with MotionSource::gps
- *  CObservationGPS. The pose between two readings is interpolated.
+ *  CObservationGPS. The pose between two readings is interpolated; before the first one and after
+ *  the last one the robot moves on as it did, for as long as one reading is from the next.
  *  * Actions: they lead to the observations after them, so the pose holds at the first of these
  *    that has a time stamp (the actions' own lies half way in MRPT's recordings).
  *  * GPS: GGA fixes become metres east, north and up of the first; x is east. The heading is that
@@ -30,6 +31,9 @@ namespace fild
  *  * Covariances of CObservationRobotPose are absolute. Along directions in which they grow from
  *    one frame to the next, the growth counts (dead reckoning); along others both count, as for
  *    poses measured independently.
+ *  * Over a gap in CObservationOdometry and CObservationRobotPose (TGraphOptions::max_gap_s) the
+ *    motion is that of the readings at its ends; its covariance is that of a drive as long as the
+ *    robot made in the same time before.
  *  * A clock that jumps back: the motion goes on; frames find their readings by time and, where a
  *    time comes twice, by the order in which all was fed.
  *  * An odometry that is reset, or jumps further than a robot can move, begins a new segment at
