@@ -198,7 +198,7 @@ void write_what_can_be_written(const RunRequest& request,
     }
 }
 
-/** A pair or a depth image that serves no frame at all is told. */
+/** Pairs or depth images that serve no frame at all are told, unless the loops told it already. */
 void count_depth_defects(const LoopDetector& detector, RunSummary& summary)
 {
     auto& defects = summary.map.depth_defects;
@@ -207,7 +207,8 @@ void count_depth_defects(const LoopDetector& detector, RunSummary& summary)
             if (place->metric.depth_defect != DepthDefect::none)
                 ++defects[to_word(place->metric.depth_defect)];
     for (const auto& [defect, count] : defects)
-        if (count == summary.camera_frames && defect != to_word(DepthDefect::mono))
+        if (count == summary.camera_frames && defect != to_word(DepthDefect::mono) &&
+            summary.map.loops_withheld.count(defect) == 0)
             summary.map.notes.push_back("no frame has a depth of its own: " + defect);
 }
 
