@@ -184,9 +184,19 @@ function fillGalleries() {
     : 'no loop closure, so no pictures');
 }
 
+/** A dozen at a time: the button shows the next ones. */
 function fillGallery(id, queries, reason) {
-  if (queries.length) byId(id).append(...queries.map(query => figureOf(query)));
-  else say(byId(id), reason);
+  const atOnce = 12;
+  const panel = byId(id);
+  if (!queries.length) return say(panel, reason);
+  panel.append(...queries.slice(0, atOnce).map(query => figureOf(query)));
+  const rest = queries.slice(atOnce);
+  if (!rest.length) return;
+  const more = element('button', {type: 'button', onclick: () => {
+    more.remove();
+    fillGallery(id, rest, reason);
+  }}, `show more (${rest.length})`);
+  panel.append(more);
 }
 
 // ---- Map --------------------------------------------------------------------------------------
