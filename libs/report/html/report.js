@@ -62,7 +62,7 @@ function draw(id, options, prepare = () => {}) {
 }
 
 function withDefaults(options) {
-  const text = {color: colour('faint')};
+  const text = {color: colour('faint'), fontSize: 13};
   const axis = {
     axisLabel: {...text, hideOverlap: true},
     axisLine: {lineStyle: {color: colour('line')}},
@@ -74,7 +74,7 @@ function withDefaults(options) {
     animation: false,
     color: palette,
     aria: {enabled: true},
-    textStyle: {fontFamily: 'inherit', color: colour('ink')},
+    textStyle: {fontFamily: getComputedStyle(document.body).fontFamily, fontSize: 13, color: colour('ink')},
     ...options,
     ...(options.xAxis ? {xAxis: styled(options.xAxis), yAxis: styled(options.yAxis)} : {}),
     tooltip: {
@@ -85,7 +85,7 @@ function withDefaults(options) {
       ...options.tooltip,
     },
     legend: options.legend
-      ? {textStyle: {color: colour('ink')}, type: 'scroll', top: 0, ...options.legend} : undefined,
+      ? {textStyle: {color: colour('ink'), fontSize: 13}, type: 'scroll', top: 0, itemWidth: 14, itemHeight: 10, ...options.legend} : undefined,
   };
 }
 
@@ -345,7 +345,7 @@ function drawOverFrames(id, column, title, threshold, digits) {
         words(verdictOf(item.data.frame))}`},
       xAxis: frameAxis,
       yAxis: {type: 'value', name: title, axisLabel: {formatter: value => number(value, digits)},
-              max: threshold ? extent => Math.max(extent.max, threshold.value * 1.1) : undefined},
+              max: threshold ? extent => extent.max > threshold.value * 1.1 ? null : threshold.value * 1.1 : null},
       series,
     };
   });
