@@ -14,9 +14,10 @@ packages=(
   libmrpt-maps-dev libmrpt-opengl-dev libmrpt-poses-dev libmrpt-serialization-dev
   libmrpt-system-dev libmrpt-tclap-dev
   libosmesa6-dev                        # off-screen drawing
+  libceres-dev                          # pose graph optimisation
   libopencv-dev                         # images, network inference, fundamental matrix
   libhnswlib-dev                        # proximity graph
-  libeigen3-dev                         # whitening of descriptors, alignment of trajectories
+  libeigen3-dev                         # whitening of descriptors, poses, alignment of trajectories
   libmatio-dev                          # ground truth in MATLAB files
   nlohmann-json3-dev                    # summary.json
   libssl-dev                            # checksum of the model
@@ -25,7 +26,9 @@ packages=(
 )
 test_packages=(
   libgtest-dev libgmock-dev             # unit tests
-  mrpt-apps mrpt-common                 # rawlog-edit, rawlogs nobody here wrote
+  mrpt-apps mrpt-common                 # rawlog-edit, graph-slam, rawlogs nobody here wrote
+  libmrpt-graphs-dev                    # reads our pose graphs back
+  libmrpt-graphslam-dev                 # -DFILD_BUILD_GRAPHSLAM=ON; only here: brings wxWidgets along
   python3-opencv                        # checks the converted model
   clang-format clang-tidy clang-tools   # formatting and lint
 )

@@ -171,7 +171,7 @@ say_where_results_are() {
 
 Results are in $output:
   frames.csv    every camera frame with its verdict and the reason
-  loops.csv     the loop closures
+  loops.csv     the loop closures, with metric pose and weight where there is scale
   matches/      pictures of them
   summary.json  counts, options, times, versions
 EOF

@@ -49,6 +49,12 @@ struct Arguments
                 false,
                 "section.key=a,b,c",
                 command};
+    Texts changes{"",
+                  "change",
+                  "--rawlog: one run with these values beside one without; several: each alone",
+                  false,
+                  "section.key=value ...",
+                  command};
     Texts overrides{"s",
                     "set",
                     "--rawlog: replaces a value of the configuration",
@@ -151,10 +157,18 @@ void check(const Arguments& a, const EvalOptions& options)
 {
     if (a.run.isSet() == a.rawlog.isSet()) throw WrongUsage("give either --run or --rawlog");
     if (a.run.isSet())
-        refuse_beside(
-            "run", a.config, a.overrides, a.swept, a.seeds, a.max_frames, a.jobs, a.quiet);
+        refuse_beside("run",
+                      a.config,
+                      a.overrides,
+                      a.swept,
+                      a.changes,
+                      a.seeds,
+                      a.max_frames,
+                      a.jobs,
+                      a.quiet);
     else
         refuse_beside("rawlog", a.trajectory, a.true_trajectory, a.align_scale, a.step);
+    if (a.swept.isSet()) refuse_beside("sweep", a.changes);
     if (a.rawlog.isSet() && !a.config.isSet()) throw WrongUsage("--rawlog needs --config");
     check_protocol(a, options.truth.protocol);
     for (const double length : options.trajectory_error.step_lengths)
@@ -175,6 +189,7 @@ SweepRequest sweep_request_of(Arguments& arguments, const TruthOptions& truth)
     request.overrides = arguments.overrides.getValue();
     for (const auto& words : arguments.swept.getValue())
         request.keys.push_back(parse_swept_key(words));
+    request.changes = arguments.changes.getValue();
     if (arguments.seeds.isSet()) request.seeds = parse_seeds(arguments.seeds.getValue());
     if (arguments.max_frames.isSet())
         request.max_frames = static_cast<std::size_t>(arguments.max_frames.getValue());

@@ -14,8 +14,10 @@
 #include <opencv2/core/utility.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <mutex>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -39,25 +41,40 @@ struct Recording
     std::string first_missing_image;  ///< empty: none was missing
 };
 
-void require_detector_section(const std::string& key, TLoopClosureStreamOptions& options)
+/** A choice of values, as it stands in the table and as it is put into force. */
+struct Choice
 {
-    const auto section = key.substr(0, key.find('.'));
-    std::string known;
-    for (const auto& [name, ignored] : options.sections())
+    std::vector<std::string> values;  ///< one for each key of the report
+    std::vector<std::string> overrides;
+};
+
+std::vector<std::string> words_of(const std::string& text)
+{
+    std::istringstream words(text);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+std::vector<Choice> choices_of(const SweepRequest& request)
+{
+    std::vector<Choice> choices;
+    if (!request.changes.empty()) choices.push_back({{"(nothing)"}, {}});
+    for (const auto& change : request.changes) choices.push_back({{change}, words_of(change)});
+    if (!request.changes.empty()) return choices;
+    for (const auto& values : combinations_of(request.keys))
     {
-        if (name == section) return;
-        known.append(" [").append(name).append("]");
+        auto& choice = choices.emplace_back(Choice{values, {}});
+        for (std::size_t i = 0; i < values.size(); ++i)
+            choice.overrides.push_back(request.keys[i].key + "=" + values[i]);
     }
-    throw std::invalid_argument("no loop closure depends on " + key + "; sections:" + known);
+    return choices;
 }
 
 TLoopClosureStreamOptions options_of_run(const SweepRequest& request,
-                                         const std::vector<std::string>& values,
+                                         const Choice& choice,
                                          std::optional<int> seed)
 {
     auto overrides = request.overrides;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        overrides.push_back(request.keys[i].key + "=" + values[i]);
+    overrides.insert(overrides.end(), choice.overrides.begin(), choice.overrides.end());
     if (seed) overrides.push_back("runtime.seed=" + std::to_string(*seed));
     return load_stream_options(request.config, overrides);
 }
@@ -218,16 +235,16 @@ void evaluate_runs(const SweepRequest& request,
 }
 
 /** Of each point, the runs with each of the seeds. */
-std::vector<std::vector<Run>> plan(const SweepRequest& request)
+std::vector<std::vector<Run>> plan(const SweepRequest& request, const std::vector<Choice>& choices)
 {
     std::vector<std::vector<Run>> points;
-    for (const auto& values : combinations_of(request.keys))
+    for (const auto& choice : choices)
     {
         auto& runs = points.emplace_back();
         for (const int seed : request.seeds)
-            runs.push_back({options_of_run(request, values, seed), {}, {}});
+            runs.push_back({options_of_run(request, choice, seed), {}, {}});
         if (request.seeds.empty())
-            runs.push_back({options_of_run(request, values, std::nullopt), {}, {}});
+            runs.push_back({options_of_run(request, choice, std::nullopt), {}, {}});
     }
     return points;
 }
@@ -254,7 +271,7 @@ std::vector<std::vector<Run*>> group_by_features(std::vector<std::vector<Run>>& 
 
 /** Takes over the runs of each point that is complete. */
 void collect(std::vector<std::vector<Run>>& points,
-             const std::vector<std::vector<std::string>>& values,
+             const std::vector<Choice>& choices,
              SweepReport& report)
 {
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -262,7 +279,7 @@ void collect(std::vector<std::vector<Run>>& points,
         const auto is_done = [](const Run& run) { return run.evaluation.has_value(); };
         if (!std::all_of(points[i].begin(), points[i].end(), is_done)) continue;
         auto& point = report.points.emplace_back();
-        point.values = values[i];
+        point.values = choices[i].values;
         for (auto& run : points[i])
         {
             point.runs.push_back(std::move(*run.evaluation));
@@ -275,32 +292,52 @@ void collect(std::vector<std::vector<Run>>& points,
                              std::to_string(points.size()) + " points";
 }
 
-void require_sweepable(const std::vector<SweptKey>& keys)
+/** \throw std::invalid_argument unless the detector has the section, or for the seed. */
+void require_sweepable(const std::string& key)
 {
-    TLoopClosureStreamOptions known;
-    for (const auto& swept : keys)
+    TLoopClosureStreamOptions options;
+    const auto section = key.substr(0, key.find('.'));
+    if (key == "runtime.seed") throw std::invalid_argument("runtime.seed is swept by --seeds");
+    std::string known;
+    for (const auto& [name, ignored] : options.sections())
     {
-        require_detector_section(swept.key, known);
-        if (swept.key == "runtime.seed")
-            throw std::invalid_argument("runtime.seed is swept by --seeds");
+        if (name == section) return;
+        known.append(" [").append(name).append("]");
+    }
+    throw std::invalid_argument("no loop closure depends on " + key + "; sections:" + known);
+}
+
+void require_sweepable(const SweepRequest& request)
+{
+    for (const auto& swept : request.keys)
+    {
+        require_sweepable(swept.key);
         const auto is_same = [&](const SweptKey& other) { return other.key == swept.key; };
-        if (std::count_if(keys.begin(), keys.end(), is_same) > 1)
+        if (std::count_if(request.keys.begin(), request.keys.end(), is_same) > 1)
             throw std::invalid_argument(swept.key + " is swept twice");
+    }
+    for (const auto& change : request.changes)
+    {
+        const auto words = words_of(change);
+        if (words.empty()) throw std::invalid_argument("an empty --change changes nothing");
+        for (const auto& word : words) require_sweepable(word.substr(0, word.find('=')));
     }
 }
 }  // namespace
 
 SweepReport sweep(const SweepRequest& request)
 {
-    require_sweepable(request.keys);
+    require_sweepable(request);
     catch_interruption();
     cv::setNumThreads(1);  // the runs are side by side
-    auto points = plan(request);
+    const auto choices = choices_of(request);
+    auto points = plan(request, choices);
     SweepReport report;
     report.rawlog = request.rawlog;
     report.config = request.config;
     report.overrides = request.overrides;
     for (const auto& swept : request.keys) report.keys.push_back(swept.key);
+    if (!request.changes.empty()) report.keys = {"changed"};
     for (const auto& runs : group_by_features(points))
     {
         const auto& options = runs.front()->options;
@@ -310,7 +347,7 @@ SweepReport sweep(const SweepRequest& request)
         report.remarks = remarks_on(recording);
         evaluate_runs(request, recording, *truth.truth, runs);
     }
-    collect(points, combinations_of(request.keys), report);
+    collect(points, choices, report);
     return report;
 }
 

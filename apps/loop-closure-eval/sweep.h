@@ -18,6 +18,9 @@ struct SweepRequest
     std::string config;
     std::vector<std::string> overrides;  ///< of the configuration, "section.key=value"
     std::vector<SweptKey> keys;  ///< none: only the seeds differ
+    /** Beside the configuration as it is, each of these alone: "section.key=value" words. Not
+     * together with `keys`. */
+    std::vector<std::string> changes;
     std::vector<int> seeds;  ///< empty: the configuration's
     std::size_t max_frames = 0;  ///< 0: all
     int jobs = 1;  ///< so many runs at a time; 0: as many as the hardware has threads

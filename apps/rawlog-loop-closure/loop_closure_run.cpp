@@ -6,6 +6,7 @@
 #include "fild/report/run_summary.h"
 #include "fild/report/verdict_csv.h"
 #include "interruption.h"
+#include "map_files.h"
 #include "match_pictures.h"
 #include "output_folder.h"
 #include "progress_line.h"
@@ -18,7 +19,9 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace fild
 {
@@ -37,23 +40,41 @@ struct Gathered
 
     void add(const DetectorOutcome& outcome)
     {
-        frames.add(outcome.verdict);
         candidates.add(outcome.verdict.frame, outcome.considered);
         summary.add(outcome.verdict);
-        timestamps.push_back(outcome.verdict.timestamp);
-        if (!outcome.verdict.accepted()) return;
-        loops.add(outcome.verdict);
-        if (!keep_closures) return;
+        verdicts.push_back({outcome.verdict, outcome.depth_source});
+        if (!outcome.verdict.accepted() || !keep_closures) return;
         const auto candidate = to_index(outcome.verdict.candidate->frame);
-        closures.push_back(to_loop_picture(outcome, timestamps.at(candidate)));
+        closures.push_back(to_loop_picture(outcome, verdicts.at(candidate).verdict.timestamp));
     }
 
+    /** Writes what waits for the map: where depths came from, and what became of each loop. */
+    void write_rows(const std::optional<Map>& map)
+    {
+        std::size_t loop = 0;
+        for (auto& [verdict, source] : verdicts)
+        {
+            if (map && map->frames_with_motion_depth.count(verdict.frame) != 0)
+                source = DepthSource::motion;
+            frames.add(verdict, to_word(source));
+            ++summary.map.depth_sources[to_word(source)];
+            if (verdict.accepted())
+                loops.add(verdict, to_word(source), map ? row_of(map->loops[loop++]) : LoopRow());
+        }
+    }
+
+    struct Row
+    {
+        FrameVerdict verdict;
+        DepthSource depth_source = DepthSource::none;
+    };
+
     VerdictCsv frames;
-    VerdictCsv loops;
+    LoopCsv loops;
     CandidateCsv candidates;
     RunSummary summary;
     bool keep_closures;  ///< for pictures
-    std::vector<double> timestamps;  ///< of every camera frame
+    std::vector<Row> verdicts;  ///< of every camera frame
     std::vector<LoopPicture> closures;
 };
 
@@ -61,6 +82,7 @@ struct Gathered
 void read_frames(const RunRequest& request,
                  RawlogReader& reader,
                  LoopClosureStream& stream,
+                 MapBuilder& map,
                  Gathered& gathered)
 {
     ProgressLine progress(request.quiet, "loop closures");
@@ -68,10 +90,14 @@ void read_frames(const RunRequest& request,
     while (count != request.max_frames || count == 0)
     {
         if (interrupted()) throw std::runtime_error("interrupted");
-        const auto observation = reader.next();
-        if (!observation) break;
-        auto outcome = stream.feed(*observation);
+        const auto [observation, actions] = reader.next_entry();
+        if (!observation && !actions) break;
+        if (actions) map.feed(*actions);
+        if (!observation) continue;
+        map.feed(*observation);
+        const auto outcome = stream.feed(*observation);
         if (!outcome) continue;
+        map.add(*outcome);
         gathered.add(*outcome);
         const double of_limit =
             request.max_frames == 0
@@ -94,11 +120,12 @@ std::string no_usable_frame(const FrameBuilder& frames)
 std::string read_what_can_be_read(const RunRequest& request,
                                   RawlogReader& reader,
                                   LoopClosureStream& stream,
+                                  MapBuilder& map,
                                   Gathered& gathered)
 {
     try
     {
-        read_frames(request, reader, stream, gathered);
+        read_frames(request, reader, stream, map, gathered);
     }
     catch (const std::exception& error)
     {
@@ -112,6 +139,59 @@ std::string read_what_can_be_read(const RunRequest& request,
     const auto wanted = label.empty() ? "" : " that matches [input] sensor_label='" + label + "'";
     throw std::runtime_error(request.rawlog + " has no camera observation" + wanted + "; " +
                              stream.frames().describe_labels());
+}
+
+/** Builds the map; an error ends only this, and stands in the summary. */
+std::optional<Map> build_what_can_be_built(const MapBuilder& builder,
+                                           const LoopDetector& detector,
+                                           StageTimes& times,
+                                           RunSummary& summary)
+{
+    try
+    {
+        auto map = builder.build(detector, times);
+        summary.map = summary_of(map);
+        return map;
+    }
+    catch (const std::exception& error)
+    {
+        if (summary.ended_early.empty())
+            summary.ended_early = std::string("no map: ") + error.what();
+        return std::nullopt;
+    }
+}
+
+/** Writes the files of the map; an error ends only this. */
+void write_what_can_be_written(const RunRequest& request,
+                               const Map& map,
+                               const OutputFolder& folder,
+                               StageTimes& times,
+                               RunSummary& summary)
+{
+    try
+    {
+        const StageTimer timer(times, "map_files");
+        const auto& options = request.options;
+        for (auto& note :
+             write_map_files(map,
+                             {request.rawlog, options.stream.input, summary.camera_frames},
+                             options.graph,
+                             folder))
+            summary.map.notes.push_back(std::move(note));
+    }
+    catch (const std::exception& error)
+    {
+        if (summary.ended_early.empty())
+            summary.ended_early = std::string("no more map files: ") + error.what();
+    }
+}
+
+void count_depth_defects(const LoopDetector& detector, RunSummary& summary)
+{
+    for (std::size_t i = 0; i < summary.camera_frames; ++i)
+        if (const auto* place = detector.find_place(FrameId{i}))
+            if (place->metric.depth_defect != DepthDefect::none)
+                ++summary.map.depth_defects[to_word(place->metric.depth_defect)];
 }
 
 /** Draws the match pictures; an error or an interruption ends only the drawing. */
@@ -152,7 +232,6 @@ void complete_summary(RunRequest& request, const LoopClosureStream& stream, RunS
     const auto& model = request.options.stream.detector.global_descriptor.model_file;
     summary.model_file = find_model_file(model);
     summary.model_sha256 = sha256_of_file(summary.model_file);
-    summary.stage_times = stream.times().statistics();
     summary.map_bytes = stream.detector().map_bytes();
     summary.peak_memory_bytes = peak_memory_bytes();
 }
@@ -168,17 +247,23 @@ void print_result(const RunSummary& summary,
     if (missing != summary.frames_by_rejection.end())
         std::cerr << "note: " << missing->second << " images are missing, the first is "
                   << first_missing_image << "; [input] images_dir names their folder\n";
+    if (summary.ended_early.empty())  // else one line says why
+        for (const auto& note : summary.map.notes) std::cerr << "note: " << note << "\n";
     std::cout << summary.camera_frames << " frames, " << summary.loop_closures
               << " loop closures, in " << output << "\n";
     for (const auto& [rejection, count] : summary.frames_by_rejection)
         if (rejection != Rejection::none)
             std::cout << "  " << to_word(rejection) << ": " << count << "\n";
+    if (summary.map.nodes > 0)
+        std::cout << "map: " << summary.map.nodes << " keyframes, " << summary.map.loop_edges
+                  << " loop edges\n";
 }
 }  // namespace
 
 std::vector<std::pair<std::string, Options*>> TRunOptions::sections()
 {
     auto all = stream.sections();
+    all.emplace_back("graph", &graph);
     all.emplace_back("render", &render);
     return all;
 }
@@ -195,12 +280,20 @@ void run_loop_closure(RunRequest request)
 
     std::filesystem::remove(folder.file("summary.json"));  // written last: it marks a whole set
     Gathered gathered(folder, options.render.max_match_pictures > 0);
+    MapBuilder builder(options.stream.detector, options.graph);
     auto& summary = gathered.summary;
-    summary.ended_early = read_what_can_be_read(request, reader, stream, gathered);
+    summary.ended_early = read_what_can_be_read(request, reader, stream, builder, gathered);
+    auto times = stream.times();
+    const auto map = build_what_can_be_built(builder, stream.detector(), times, summary);
+    gathered.write_rows(map);
     gathered.frames.commit();
     gathered.loops.commit();
     gathered.candidates.commit();
+    remove_map_files(folder);
+    if (map) write_what_can_be_written(request, *map, folder, times, summary);
     draw_what_can_be_drawn(request, folder, gathered);
+    count_depth_defects(stream.detector(), summary);
+    summary.stage_times = times.statistics();
     complete_summary(request, stream, summary);
     summary.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fild/core/options.h"
+#include "fild/graph/graph_options.h"
 #include "fild/render/render_options.h"
 #include "fild/stream/loop_closure_stream.h"
 
@@ -16,6 +17,7 @@ namespace fild
 struct TRunOptions
 {
     TLoopClosureStreamOptions stream;
+    TGraphOptions graph;
     TRenderOptions render;
 
     std::vector<std::pair<std::string, Options*>> sections();
@@ -31,8 +33,9 @@ struct RunRequest
     TRunOptions options;
 };
 
-/** Runs the detector over the rawlog and writes frames.csv, loops.csv, summary.json and
- *  matches/QUERY_CANDIDATE.png into the output folder; each appears when it is whole.
+/** Runs the detector over the rawlog, builds the map, and writes frames.csv, loops.csv,
+ *  candidates.csv, the files of the map (write_map_files()), matches/QUERY_CANDIDATE.png and
+ *  summary.json into the output folder; each appears when it is whole.
  *
  *  When the rawlog breaks off, an error stops the run or the user interrupts it, the results of the
  *  frames before are written all the same, summary.json says why it ended, and then the error is

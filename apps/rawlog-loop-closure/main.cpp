@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// rawlog-loop-closure: a rawlog in; loop closures, pictures and a summary out.
+// rawlog-loop-closure: a rawlog in; loop closures, a map, pictures and a summary out.
 #include "app_main.h"
 #include "fild/core/ini_file.h"
 #include "loop_closure_run.h"
@@ -15,7 +15,9 @@ using Text = TCLAP::ValueArg<std::string>;
 std::optional<fild::RunRequest> parse(int argc, char** argv)
 {
     TCLAP::CmdLine command(
-        "Finds where the camera of a rawlog returns to a known place.", ' ', FILD_VERSION);
+        "Finds where the camera of a rawlog returns to a known place, and makes a map of it.",
+        ' ',
+        FILD_VERSION);
     TCLAP::SwitchArg quiet("q", "quiet", "No progress line", command);
     TCLAP::ValueArg<int> max_frames(
         "n", "max-frames", "Stop after so many camera frames", false, 1, "FRAMES", command);

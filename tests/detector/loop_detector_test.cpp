@@ -40,6 +40,8 @@ FrameDescription view_of(std::uint64_t place, double shift)
     auto& codes = view.local.codes;
     codes.bits = 256;
     codes.words_per_code = 4;
+    view.metric.camera = fild::CameraModel{500, 500, 320, 240, 640, 480, fild::LensModel::none, {}};
+    view.metric.depths.source = fild::DepthSource::depth_image;
     for (std::size_t i = 0; i < kPoints; ++i)
     {
         const double x = uniform(generator, -3, 3) + shift;
@@ -47,6 +49,8 @@ FrameDescription view_of(std::uint64_t place, double shift)
         const double z = uniform(generator, 4, 12);
         view.local.positions.push_back(
             {static_cast<float>(500 * x / z + 320), static_cast<float>(500 * y / z + 240)});
+        view.metric.depths.metres.push_back(static_cast<float>(z));
+        view.metric.depths.deviations_m.push_back(static_cast<float>(0.005 * z));
         for (int w = 0; w < 4; ++w) codes.words.push_back(generator());
     }
     return view;
@@ -103,6 +107,58 @@ TEST(LoopDetector, FindsAReturnAndSaysWhyTheOthersAreNone)
     EXPECT_EQ(loop.verdict.inliers, loop.inliers.size());
     EXPECT_GE(loop.inliers.size(), kPoints - 2);
     EXPECT_EQ(outcomes[4].verdict.candidate->frame, FrameId{1});
+}
+
+TEST(LoopDetector, GivesAnAcceptedLoopItsMetricPose)
+{
+    const auto outcomes = drive(options_with_delay(2), {10, 11, 12, 10, 11});
+    for (const auto& outcome : outcomes)
+    {
+        EXPECT_EQ(outcome.pose.has_value(), outcome.verdict.accepted());
+        EXPECT_EQ(outcome.depth_source, fild::DepthSource::depth_image);
+    }
+    const auto& loop = outcomes[3];
+    ASSERT_TRUE(loop.pose->candidate_from_query.has_value());
+    // The scene moved to the right by 0.9 m: so did the camera to the left.
+    const auto& translation = loop.pose->candidate_from_query->b_from_a.translation;
+    EXPECT_NEAR(translation[0], -0.9, 0.01);
+    EXPECT_NEAR(translation[1], 0, 0.01);
+    EXPECT_NEAR(translation[2], 0, 0.02);
+    EXPECT_EQ(loop.keypoint_matches.size(), loop.matches.size());
+}
+
+TEST(LoopDetector, GivesTheSameVerdictsWithAndWithoutPoses)
+{
+    auto options = options_with_delay(2);
+    const auto with = drive(options, {10, 11, 12, 10, 11});
+    options.relative_pose.enabled = false;
+    const auto without = drive(options, {10, 11, 12, 10, 11});
+    EXPECT_EQ(rejections(with), rejections(without));
+    for (std::size_t i = 0; i < with.size(); ++i)
+    {
+        EXPECT_FALSE(without[i].pose.has_value());
+        EXPECT_EQ(with[i].verdict.inliers, without[i].verdict.inliers);
+    }
+}
+
+TEST(LoopDetector, SaysWhyALoopHasNoPose)
+{
+    fild::LoopDetector detector(options_with_delay(2), kDimension);
+    fild::StageTimes times;
+    fild::DetectorOutcome last;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+        auto view = view_of(i == 3 ? 10 : 10 + i, 0.3 * static_cast<double>(i));
+        view.frame = FrameId{i};
+        view.timestamp = static_cast<double>(i);
+        if (i == 3) view.metric.camera.reset();
+        last = detector.process(std::move(view), times);
+    }
+    ASSERT_TRUE(last.verdict.accepted());
+    ASSERT_TRUE(last.pose.has_value());
+    EXPECT_EQ(last.pose->reason, fild::NoMetricPose::not_calibrated);
+    EXPECT_FALSE(detector.find_place(FrameId{3})->metric.camera.has_value());
+    EXPECT_EQ(detector.find_place(FrameId{4}), nullptr);
 }
 
 TEST(LoopDetector, NeverAnswersWithinTheDelay)
@@ -375,7 +431,7 @@ TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)
     EXPECT_EQ(statistics.at("index_search").calls, 2U);
     EXPECT_EQ(statistics.at("matching").calls, 2U);
     EXPECT_EQ(statistics.at("verification").calls, 2U);
-    EXPECT_EQ(detector.map_bytes(), 3 * (kPoints * (8 + 32) + kDimension * 4));
+    EXPECT_EQ(detector.map_bytes(), 3 * (kPoints * (8 + 32 + 8) + kDimension * 4));
 }
 
 }  // namespace

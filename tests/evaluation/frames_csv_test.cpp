@@ -41,8 +41,8 @@ TEST(ReadFramesCsv, ReadsWhatTheReportWrites)
     second.rejection = fild::Rejection::none;
     const fild::testing::TemporaryFolder folder;
     fild::VerdictCsv csv(folder.path("frames.csv"));
-    csv.add(first);
-    csv.add(second);
+    csv.add(first, "stereo");
+    csv.add(second, "none");
     csv.commit();
 
     const auto frames = fild::read_frames_csv(folder.path("frames.csv"));
@@ -58,6 +58,19 @@ TEST(ReadFramesCsv, ReadsWhatTheReportWrites)
     EXPECT_EQ(frames[1].keypoints, 2050U);
     EXPECT_EQ(frames[1].matches, 200U);
     EXPECT_EQ(frames[1].inliers, 186U);
+}
+
+// frames.csv had no depth_source before, and may get further columns.
+TEST(ReadFramesCsv, ReadsFilesWithFewerAndWithMoreColumns)
+{
+    const std::string header =
+        "frame,timestamp,sensor_label,keypoints,candidate,similarity,matches,inliers,accepted,"
+        "rejection,support";
+    const std::string row = "0,0,C,10,,,0,0,0,too_early,0";
+    EXPECT_EQ(read(header + "\n" + row + "\n").size(), 1U);
+    EXPECT_EQ(read(header + ",depth_source,more\n" + row + ",stereo,\n").size(), 1U);
+    EXPECT_THROW(read(header + ",depth_source\n" + row + "\n"), std::runtime_error);
+    EXPECT_THROW(read(header + "s\n" + row + "\n"), std::runtime_error);
 }
 
 TEST(ReadFramesCsv, RefusesWhatIsNoFramesCsv)

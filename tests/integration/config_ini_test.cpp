@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every shipped configuration loads, names every key, and says what it claims to say.
 #include "fild/core/ini_file.h"
+#include "fild/graph/graph_options.h"
 #include "fild/render/render_options.h"
 #include "fild/stream/loop_closure_stream.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/config/CConfigFile.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,15 +14,19 @@
 namespace
 {
 const std::string kFolder = FILD_SOURCE_DIR "/config-ini/";
+/** Of MRPT's graph-SLAM engine, which reads it; the deciders' keys name one of the others. */
+const std::string kEngineFile = "graphslam_engine.ini";
 
 struct AllOptions
 {
     fild::TLoopClosureStreamOptions stream;
+    fild::TGraphOptions graph;
     fild::TRenderOptions render;
 
     std::vector<std::pair<std::string, fild::Options*>> sections()
     {
         auto all = stream.sections();
+        all.emplace_back("graph", &graph);
         all.emplace_back("render", &render);
         return all;
     }
@@ -39,6 +45,7 @@ TEST(ConfigIni, EveryFileLoadsAndNamesEveryKey)
     for (const auto& entry : std::filesystem::directory_iterator(kFolder))
     {
         const auto name = entry.path().filename().string();
+        if (name == kEngineFile) continue;
         auto options = load(name);
         const auto ini = fild::load_ini_file(entry.path().string());
         for (const auto& [section, values] : options.sections())
@@ -52,6 +59,18 @@ TEST(ConfigIni, EveryFileLoadsAndNamesEveryKey)
         ++files;
     }
     EXPECT_EQ(files, 6);
+}
+
+TEST(ConfigIni, TheEnginesNamesConfigurationsThatLoad)
+{
+    ASSERT_TRUE(std::filesystem::exists(kFolder + kEngineFile));
+    const mrpt::config::CConfigFile engine(kFolder + kEngineFile);
+    for (const std::string section :
+         {"NodeRegistrationDeciderParameters", "EdgeRegistrationDeciderParameters"})
+    {
+        const auto name = engine.read_string(section, "fild_config", "");
+        EXPECT_NO_THROW(load(name)) << section;
+    }
 }
 
 // FILD (An et al., IROS 2019), "Parameter List".

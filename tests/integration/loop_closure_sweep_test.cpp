@@ -126,6 +126,23 @@ TEST_F(Sweep, HasARowForEachCombinationAndARunForEachSeed)
                 AllOf(HasSubstr("hashing.bits"), HasSubstr("mean [min, max] over 3 seeds")));
 }
 
+TEST_F(Sweep, MakesEachChangeAloneBesideNone)
+{
+    const auto finished = sweep(
+        "--change 'verification.min_weighed_inliers=100000' --change 'hashing.bits=64 "
+        "local_features.hessian_threshold=2000' --output out");
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    const auto rows = rows_of(output("sweep.csv"));
+    ASSERT_THAT(rows, SizeIs(3));
+    EXPECT_EQ(rows[0].at("changed"), "(nothing)");
+    EXPECT_EQ(rows[0].at("recall"), "1.000000");
+    EXPECT_EQ(rows[1].at("recall"), "0.000000") << "a hundred thousand inliers are asked for";
+    EXPECT_EQ(rows[2].at("changed"), "hashing.bits=64 local_features.hessian_threshold=2000");
+    EXPECT_EQ(rows[2].at("recall"), "1.000000") << "the first change is not in force";
+    EXPECT_NE(rows[2].at("threshold_at_full_precision_inliers"),
+              rows[0].at("threshold_at_full_precision_inliers"));
+}
+
 TEST_F(Sweep, ScoresWhatTheMainJobFinds)
 {
     ASSERT_EQ(sweep("--set hashing.bits=96 --sweep runtime.num_threads=1,2 --sweep "
@@ -232,6 +249,11 @@ TEST_F(Sweep, RefusesWhatMakesNoSense)
     EXPECT_THAT(error("--sweep hashing=64", 2), HasSubstr("section.key=value"));
     EXPECT_THAT(error("--sweep runtime.seed=1,2", 2), HasSubstr("--seeds"));
     EXPECT_THAT(error("--sweep hashing.bits=64 --sweep hashing.bits=96", 2), HasSubstr("twice"));
+    EXPECT_THAT(error("--change render.max_match_pictures=1", 2), HasSubstr("[hashing]"));
+    EXPECT_THAT(error("--change hashing.no_such_key=1", 1), HasSubstr("no_such_key"));
+    EXPECT_THAT(error("--change ''", 2), HasSubstr("--change"));
+    EXPECT_THAT(error("--change hashing.bits=64 --sweep hashing.bits=64", 2),
+                HasSubstr("--change does not go with --sweep"));
     for (const std::string seeds : {"3-1", "x", "1,1", "-1", "", "1-99999"})
         EXPECT_THAT(error("--seeds '" + seeds + "'", 2), HasSubstr("seeds '" + seeds + "'"));
     EXPECT_THAT(error("--run out", 2), HasSubstr("either --run or --rawlog"));

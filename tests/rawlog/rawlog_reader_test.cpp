@@ -75,6 +75,19 @@ TEST(RawlogReader, UnpacksSensoryFramesAndPassesOverActions)
     EXPECT_THAT(labels_in(folder.path("frames.rawlog")), ElementsAre("A", "B", "C"));
 }
 
+TEST(RawlogReader, GivesActionsAtTheirPlaceToWhoAsksForEntries)
+{
+    const TemporaryFolder folder;
+    write_gz(folder.path("frames.rawlog"), action_and_frames());
+    RawlogReader reader(folder.path("frames.rawlog"));
+    std::string kinds;
+    for (auto entry = reader.next_entry(); entry.observation || entry.actions;
+         entry = reader.next_entry())
+        kinds += entry.actions ? "-" : entry.observation->sensorLabel;
+    EXPECT_EQ(kinds, "-AB-C");
+    EXPECT_EQ(reader.next(), nullptr);
+}
+
 TEST(RawlogReader, ReadsOneSerializedRawlogObject)
 {
     auto rawlog = mrpt::obs::CRawlog::Create();

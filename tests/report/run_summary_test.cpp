@@ -62,6 +62,24 @@ TEST(RunSummary, ListsOptionsAndTimes)
 }
 
 // The digest of "abc" in FIPS 180-4's example.
+TEST(RunSummary, TellsOfTheMap)
+{
+    fild::RunSummary summary;
+    summary.map.trajectory = "recorded";
+    summary.map.nodes = 40;
+    summary.map.loops_withheld["no_depth"] = 3;
+    summary.map.parts = {38, 2};
+    summary.map.chi2_before = 12.3456;
+    summary.map.notes = {"something"};
+    const auto map = written(summary)["map"];
+    EXPECT_EQ(map["trajectory"], "recorded");
+    EXPECT_EQ(map["nodes"], 40);
+    EXPECT_EQ(map["loops_withheld"]["no_depth"], 3);
+    EXPECT_EQ(map["parts"], (std::vector<int>{38, 2}));
+    EXPECT_EQ(map["chi2_before"], 12.346);
+    EXPECT_EQ(map["notes"][0], "something");
+}
+
 TEST(Sha256OfFile, AgreesWithThePublishedExample)
 {
     const fild::testing::TemporaryFolder folder;

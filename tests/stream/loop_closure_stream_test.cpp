@@ -70,6 +70,7 @@ TEST(LoadStreamOptions, TakesEveryShippedConfiguration)
     std::size_t files = 0;
     for (const auto& entry : std::filesystem::directory_iterator(FILD_SOURCE_DIR "/config-ini"))
     {
+        if (entry.path().filename() == "graphslam_engine.ini") continue;  // MRPT's engine reads it
         ++files;
         auto loaded = fild::load_stream_options(entry.path().string());
         for (const auto& [name, section] : loaded.sections())

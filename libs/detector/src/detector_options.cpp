@@ -34,6 +34,8 @@ std::vector<std::pair<std::string, Options*>> TDetectorOptions::sections()
             {"candidates", &candidates},
             {"verification", &verification},
             {"consistency", &consistency},
+            {"depth", &depth},
+            {"relative_pose", &relative_pose},
             {"runtime", &runtime}};
 }
 

@@ -2,6 +2,9 @@
 // Features of FILD (An et al., IROS 2019), section III-A.
 #include "fild/detector/frame_describer.h"
 
+#include "fild/geometry/image_depths.h"
+#include "fild/geometry/stereo_depths.h"
+
 #include <future>
 
 namespace fild
@@ -60,21 +63,49 @@ FrameDescription FrameHasher::hash(const FrameFeatures& features) const
         features.frame, features.timestamp, features.sensor_label, features.defect, {}, {}};
     if (features.defect != Rejection::none) return description;
     description.global = features.global;
-    description.local = {positions_of(features.local), hasher_.hash(features.local, num_threads_)};
+    description.local = hash(features.local);
     return description;
 }
 
-FrameDescriber::FrameDescriber(const TDetectorOptions& options)
-    : extractor_(options), hasher_(options)
+HashedFeatures FrameHasher::hash(const LocalFeatures& features) const
 {
+    return {positions_of(features), hasher_.hash(features, num_threads_)};
+}
+
+FrameDescriber::FrameDescriber(const TDetectorOptions& options)
+    : extractor_(options), hasher_(options), depth_options_(options.depth)
+{
+    depth_options_.check();
 }
 
 FrameDescription FrameDescriber::describe(const Frame& frame, StageTimes& times)
 {
     const auto features = extractor_.extract(frame, times);
     if (features.defect != Rejection::none) return hasher_.hash(features);
-    const StageTimer timer(times, "hashing");
-    return hasher_.hash(features);
+    FrameDescription description;
+    {
+        const StageTimer timer(times, "hashing");
+        description = hasher_.hash(features);
+    }
+    auto& metric = description.metric;
+    metric.robot_from_camera = frame.robot_from_camera;
+    metric.depth_defect = frame.depth_defect;
+    if (frame.camera && frame.camera->lens == LensModel::none) metric.camera = frame.camera;
+    if (metric.camera) metric.depths = depths_of(frame, description.local, times);
+    return description;
+}
+
+KeypointDepths FrameDescriber::depths_of(const Frame& frame,
+                                         const HashedFeatures& local,
+                                         StageTimes& times)
+{
+    const auto source = depth_source_of(frame);
+    if (source == DepthSource::none) return {};
+    const StageTimer timer(times, "depth");
+    if (source == DepthSource::depth_image)
+        return depths_from_image(frame, local.positions, depth_options_);
+    const auto right = hasher_.hash(extractor_.extract_local(frame.right->image));
+    return depths_from_stereo(frame, local, right, depth_options_);
 }
 
 }  // namespace fild

@@ -43,6 +43,11 @@ std::size_t bytes_of(const HashedFeatures& features)
            features.codes.words.size() * sizeof(std::uint64_t) +
            features.codes.buckets.size() * sizeof(std::uint16_t);
 }
+
+std::size_t bytes_of(const KeypointDepths& depths)
+{
+    return (depths.metres.size() + depths.deviations_m.size()) * sizeof(float);
+}
 }  // namespace
 
 /** The candidates of one query: what the index answered, which were verified, and the best. */
@@ -111,12 +116,13 @@ class LoopDetector::Trials
 LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_dimension)
     : index_options_(options.index),
       candidate_options_(options.candidates),
+      estimates_poses_(options.relative_pose.enabled),
       min_inliers_(static_cast<std::size_t>(options.verification.min_inliers)),
       queue_(options.index),
       index_(make_place_index(
           options.index, global_dimension, static_cast<std::uint64_t>(options.runtime.seed))),
-      matcher_(options.hashing),
-      verifier_(options.verification, static_cast<std::uint64_t>(options.runtime.seed)),
+      pairs_(options),
+      poses_(options.relative_pose, static_cast<std::uint64_t>(options.runtime.seed)),
       consistency_(options.consistency)
 {
     candidate_options_.check();
@@ -134,6 +140,7 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
     insert_released(queue_.push({description.frame, now, description.global}), times);
     auto outcome = find_loop(description, times);
     check_consistency(outcome);
+    add_pose(outcome, description, times);
     remember(std::move(description));
     return outcome;
 }
@@ -213,21 +220,11 @@ DetectorOutcome LoopDetector::verify(const FrameDescription& query,
     auto& verdict = outcome.verdict;
     verdict.candidate = candidate;
     const auto& place = places_.at(candidate.frame).local;
-    {
-        const StageTimer timer(times, "matching");
-        for (const auto& match : matcher_.match(query.local.codes, place.codes))
-            outcome.matches.push_back(
-                {query.local.positions[match.query], place.positions[match.candidate]});
-    }
-    const StageTimer timer(times, "verification");
-    MatchedPixels matched;
-    matched.keypoints = std::min(query.local.positions.size(), place.positions.size());
-    for (const auto& pair : outcome.matches)
-    {
-        matched.query.push_back(pair.query);
-        matched.candidate.push_back(pair.candidate);
-    }
-    auto verification = verifier_.verify(matched);
+    auto [matches, verification] = pairs_.verify(query.local, place, times);
+    for (const auto& match : matches)
+        outcome.matches.push_back(
+            {query.local.positions[match.query], place.positions[match.candidate]});
+    outcome.keypoint_matches = std::move(matches);
     verdict.matches = outcome.matches.size();
     verdict.inliers = verification.inliers.size();
     verdict.support = verification.support;
@@ -283,13 +280,38 @@ void LoopDetector::check_consistency(DetectorOutcome& outcome)
         verdict.rejection = Rejection::not_consistent_yet;
 }
 
+void LoopDetector::add_pose(DetectorOutcome& outcome,
+                            const FrameDescription& query,
+                            StageTimes& times) const
+{
+    outcome.depth_source = query.metric.depths.source;
+    if (!estimates_poses_ || !outcome.verdict.accepted()) return;
+    const StageTimer timer(times, "relative_pose");
+    const auto& place = places_.at(outcome.verdict.candidate->frame);
+    std::vector<Match> verified;
+    verified.reserve(outcome.inliers.size());
+    for (const auto k : outcome.inliers) verified.push_back(outcome.keypoint_matches[k]);
+    const auto view_of = [](const auto& frame) -> PoseView {
+        return {frame.metric.camera, frame.local.positions, frame.metric.depths};
+    };
+    outcome.pose = poses_.estimate(view_of(query), view_of(place), verified);
+}
+
+const Place* LoopDetector::find_place(FrameId frame) const
+{
+    const auto found = places_.find(frame);
+    return found == places_.end() ? nullptr : &found->second;
+}
+
 void LoopDetector::remember(FrameDescription description)
 {
-    map_bytes_ += bytes_of(description.local) + description.global.size() * sizeof(float);
+    map_bytes_ += bytes_of(description.local) + bytes_of(description.metric.depths) +
+                  description.global.size() * sizeof(float);
     places_.emplace(description.frame,
                     Place{description.timestamp,
                           std::move(description.sensor_label),
-                          std::move(description.local)});
+                          std::move(description.local),
+                          std::move(description.metric)});
 }
 
 }  // namespace fild

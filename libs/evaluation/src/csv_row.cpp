@@ -53,11 +53,10 @@ void for_each_csv_row(const std::string& path,
     if (!file || !std::getline(file, line))
         throw std::runtime_error("cannot read '" + path +
                                  "': " + std::generic_category().message(errno == 0 ? EIO : errno));
-    if (line != header)
+    if (line != header && line.rfind(header + ",", 0) != 0)
         throw std::runtime_error(path + " does not begin with the header of " +
                                  std::filesystem::path(path).filename().string());
-    const auto columns =
-        static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
+    const auto columns = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
     for (std::size_t number = 2; std::getline(file, line); ++number)
         take(CsvRow(line, path + " line " + std::to_string(number), columns));
 }

@@ -45,6 +45,7 @@ class CsvRow
 };
 
 /** Hands each line after the header to `take`.
+ *  \param header  of the columns that are known; the file may have more after them.
  *  \throw std::runtime_error when the file cannot be read, or begins with another header. */
 void for_each_csv_row(const std::string& path,
                       const std::string& header,

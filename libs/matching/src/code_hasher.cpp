@@ -6,6 +6,7 @@
 #include "fild/core/random.h"
 
 #include <algorithm>
+#include <cstring>
 #include <random>
 #include <stdexcept>
 
@@ -16,21 +17,64 @@ namespace
 constexpr std::size_t kWordBits = 64;
 constexpr std::size_t kFeaturesPerTask = 64;
 
-/** Sums row i of `weights` times x[i] over i: the projections of x. */
-std::vector<float> project(const float* x,
-                           const std::vector<float>& weights,
-                           std::size_t projections)
+/** So many projections of a descriptor are summed side by side, in registers. */
+constexpr std::size_t kLanes = 8;
+constexpr std::size_t kVectors = 4;
+constexpr std::size_t kPanelWidth = kLanes * kVectors;
+using Lanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
+
+/** The descriptor's projections by one panel: sum of x[i] times row i of the panel. Without fused
+ *  multiply-adds, whose other rounding would give other codes on other processors. */
+[[gnu::always_inline]] inline void project(const float* x, const float* panel, float* projections)
 {
-    std::vector<float> sums(projections, 0.0F);
-    const float* row = weights.data();
-    for (std::size_t i = 0; i < LocalFeatures::dimension; ++i, row += projections)
-        for (std::size_t s = 0; s < projections; ++s) sums[s] += x[i] * row[s];
-    return sums;
+    Lanes sums[kVectors] = {};
+    for (std::size_t i = 0; i < LocalFeatures::dimension; ++i)
+        for (std::size_t v = 0; v < kVectors; ++v, panel += kLanes)
+        {
+            Lanes row;
+            std::memcpy(&row, panel, sizeof(row));
+            sums[v] += x[i] * row;
+        }
+    std::memcpy(projections, sums, sizeof(sums));
 }
 
-bool bit_at(const std::vector<std::uint64_t>& words, std::size_t bit)
+/** Projections of `count` descriptors that stand one after the other: row by row, `panels` x
+ *  kPanelWidth numbers each. Panel by panel, because one panel stays in the nearest cache. */
+__attribute__((target_clones("default", "avx2"))) void project_all(
+    const float* descriptors,
+    std::size_t count,
+    const std::vector<float>& weights,
+    std::vector<float>& projections)
 {
-    return ((words[bit / kWordBits] >> (bit % kWordBits)) & 1U) != 0;
+    constexpr auto kPanelSize = LocalFeatures::dimension * kPanelWidth;
+    const auto panels = weights.size() / kPanelSize;
+    projections.resize(count * panels * kPanelWidth);
+    for (std::size_t p = 0; p < panels; ++p)
+        for (std::size_t i = 0; i < count; ++i)
+            project(descriptors + i * LocalFeatures::dimension,
+                    weights.data() + p * kPanelSize,
+                    projections.data() + (i * panels + p) * kPanelWidth);
+}
+
+std::size_t panels_for(std::size_t projections)
+{
+    return (projections + kPanelWidth - 1) / kPanelWidth;
+}
+
+/** Independent normal numbers, drawn for one number of the descriptor after the other; the columns
+ *  that fill up the last panel are zero. */
+std::vector<float> random_panels(std::size_t projections, std::uint64_t seed)
+{
+    std::vector<float> weights(panels_for(projections) * kPanelWidth * LocalFeatures::dimension, 0);
+    std::mt19937_64 generator(seed);
+    for (std::size_t i = 0; i < LocalFeatures::dimension; ++i)
+        for (std::size_t s = 0; s < projections; ++s)
+        {
+            const auto row = s / kPanelWidth * LocalFeatures::dimension + i;
+            weights[row * kPanelWidth + s % kPanelWidth] =
+                static_cast<float>(standard_normal(generator));
+        }
+    return weights;
 }
 }  // namespace
 
@@ -41,24 +85,27 @@ CodeHasher::CodeHasher(const THashingOptions& options,
       tables_(options.search == CodeSearch::cascade ? options.tables : 0),
       bucket_bits_(options.bucket_bits),
       projections_(static_cast<std::size_t>(bits_ + tables_ * bucket_bits_)),
-      weights_(LocalFeatures::dimension * projections_)
+      weights_(random_panels(projections_, seed))
 {
     options.check();
     if (centre.size() != LocalFeatures::dimension)
         throw std::invalid_argument("CodeHasher: the centre has " + std::to_string(centre.size()) +
                                     " numbers, not " + std::to_string(LocalFeatures::dimension));
-    std::mt19937_64 generator(seed);
-    for (auto& weight : weights_) weight = static_cast<float>(standard_normal(generator));
-    thresholds_ = project(centre.data(), weights_, projections_);
+    project_all(centre.data(), 1, weights_, thresholds_);
 }
 
-std::vector<std::uint64_t> CodeHasher::sign_bits(const float* descriptor) const
+void CodeHasher::store(const float* projections, std::size_t feature, BinaryCodes& codes) const
 {
-    const auto sums = project(descriptor, weights_, projections_);
-    std::vector<std::uint64_t> words((projections_ + kWordBits - 1) / kWordBits, 0);
-    for (std::size_t s = 0; s < projections_; ++s)
-        if (sums[s] > thresholds_[s]) words[s / kWordBits] |= std::uint64_t{1} << (s % kWordBits);
-    return words;
+    const auto is_set = [&](std::size_t s) { return projections[s] > thresholds_[s]; };
+    const auto bits = static_cast<std::size_t>(bits_);
+    auto* word = codes.words.data() + feature * static_cast<std::size_t>(codes.words_per_code);
+    for (std::size_t s = 0; s < bits; ++s)
+        word[s / kWordBits] |= std::uint64_t{is_set(s)} << (s % kWordBits);
+    auto* bucket = codes.buckets.data() + feature * static_cast<std::size_t>(tables_);
+    std::size_t s = bits;
+    for (int table = 0; table < tables_; ++table)
+        for (int b = 0; b < bucket_bits_; ++b, ++s)
+            if (is_set(s)) bucket[table] |= static_cast<std::uint16_t>(1U << unsigned(b));
 }
 
 BinaryCodes CodeHasher::hash(const LocalFeatures& features, int num_threads) const
@@ -71,27 +118,17 @@ BinaryCodes CodeHasher::hash(const LocalFeatures& features, int num_threads) con
     codes.words.resize(features.size() * static_cast<std::size_t>(codes.words_per_code));
     codes.buckets.resize(features.size() * static_cast<std::size_t>(tables_));
 
-    const auto store = [&](std::size_t i)
+    const auto hash_some = [&](std::size_t task)
     {
-        const auto signs = sign_bits(features.descriptor(i));
-        std::size_t bit = 0;
-        auto* word = codes.words.data() + i * static_cast<std::size_t>(codes.words_per_code);
-        for (; bit < static_cast<std::size_t>(bits_); ++bit)
-            if (bit_at(signs, bit)) word[bit / kWordBits] |= std::uint64_t{1} << (bit % kWordBits);
-        auto* bucket = codes.buckets.data() + i * static_cast<std::size_t>(tables_);
-        for (int table = 0; table < tables_; ++table)
-            for (int b = 0; b < bucket_bits_; ++b, ++bit)
-                if (bit_at(signs, bit))
-                    bucket[table] |= static_cast<std::uint16_t>(1U << unsigned(b));
+        const auto begin = task * kFeaturesPerTask;
+        const auto count = std::min(kFeaturesPerTask, features.size() - begin);
+        std::vector<float> projections;
+        project_all(features.descriptor(begin), count, weights_, projections);
+        for (std::size_t i = 0; i < count; ++i)
+            store(projections.data() + i * thresholds_.size(), begin + i, codes);
     };
     const auto tasks = (features.size() + kFeaturesPerTask - 1) / kFeaturesPerTask;
-    parallel_for(num_threads,
-                 tasks,
-                 [&](std::size_t task)
-                 {
-                     const auto end = std::min((task + 1) * kFeaturesPerTask, features.size());
-                     for (std::size_t i = task * kFeaturesPerTask; i < end; ++i) store(i);
-                 });
+    parallel_for(num_threads, tasks, hash_some);
     return codes;
 }
 

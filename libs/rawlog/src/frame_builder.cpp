@@ -4,6 +4,7 @@
 #include "camera_labels.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "image_store.h"
+#include "metric_content.h"
 #include "undistorter.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -58,18 +59,23 @@ const TInputOptions& checked(const TInputOptions& options)
 
 struct FrameBuilder::State
 {
-    State(const TInputOptions& checked_options, const std::string& rawlog_path)
+    State(const TInputOptions& checked_options,
+          const std::string& rawlog_path,
+          FrameContent content)
         : options(checked_options),
           labels(options.sensor_label),
           store(options.images_dir, rawlog_path),
           override_camera(parse_override(options.camera_parameters))
     {
+        if (content == FrameContent::metric)
+            metric.emplace(store, options.undistort, override_camera);
     }
 
     /** Counts the frame; its stamp is remembered for the next one. */
     Frame begin(const CObservation& observation);
     void load_image(const CameraView& view, Frame& frame);
-    [[noreturn]] void stop_at_missing(const CameraView& view, const Frame& frame) const;
+    /** Notes a missing image. \throw std::runtime_error where that ends the run. */
+    void note_missing(const std::string& path, const Frame& frame);
     void calibrate(const CameraView& view, Frame& frame);
 
     TInputOptions options;
@@ -77,6 +83,7 @@ struct FrameBuilder::State
     ImageStore store;
     Undistorter undistorter;
     std::optional<CameraModel> override_camera;
+    std::optional<MetricContent> metric;  ///< when metric content is asked for
     /** What the next image of a camera is held against. */
     struct Camera
     {
@@ -103,11 +110,10 @@ Frame FrameBuilder::State::begin(const CObservation& observation)
 void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
 {
     const auto stored = store.load(view.image);
-    if (!stored && options.on_missing_image == OnMissingImage::stop) stop_at_missing(view, frame);
     if (!stored)
     {
         frame.defect = Rejection::missing_image;
-        if (first_missing.empty()) first_missing = store.path_of(view.image);
+        note_missing(store.path_of(view.image), frame);
         return;
     }
     const auto& image_size = cameras[frame.sensor_label].image_size;
@@ -120,9 +126,10 @@ void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
         frame.image = *image;
 }
 
-void FrameBuilder::State::stop_at_missing(const CameraView& view, const Frame& frame) const
+void FrameBuilder::State::note_missing(const std::string& path, const Frame& frame)
 {
-    const auto path = store.path_of(view.image);
+    if (first_missing.empty()) first_missing = path;
+    if (options.on_missing_image == OnMissingImage::skip) return;
     const auto what = path.empty() ? "the image embedded in the rawlog is empty"
                                    : "there is no readable image " + path;
     throw std::runtime_error("frame " + std::to_string(to_index(frame.id)) + ": " + what +
@@ -147,8 +154,10 @@ void FrameBuilder::State::calibrate(const CameraView& view, Frame& frame)
     frame.camera->distortion.fill(0);
 }
 
-FrameBuilder::FrameBuilder(const TInputOptions& options, const std::string& rawlog_path)
-    : state_(std::make_unique<State>(checked(options), rawlog_path))
+FrameBuilder::FrameBuilder(const TInputOptions& options,
+                           const std::string& rawlog_path,
+                           FrameContent content)
+    : state_(std::make_unique<State>(checked(options), rawlog_path, content))
 {
 }
 
@@ -172,6 +181,9 @@ Frame FrameBuilder::build(const CObservation& observation)
     if (frame.defect != Rejection::none) return frame;
     state_->calibrate(*view, frame);
     state_->cameras[frame.sensor_label].image_size = frame.image.size();
+    if (!state_->metric) return frame;
+    const auto missing = state_->metric->add_to(frame, observation);
+    if (!missing.empty()) state_->note_missing(missing, frame);
     return frame;
 }
 

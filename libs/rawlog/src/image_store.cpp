@@ -34,7 +34,12 @@ ImageStore::ImageStore(const std::string& images_dir, const std::string& rawlog_
 std::string ImageStore::path_of(const mrpt::img::CImage& image) const
 {
     if (!image.isExternallyStored()) return "";
-    return (fs::path(images_dir_) / image.getExternalStorageFile()).string();
+    return path_of_file(image.getExternalStorageFile());
+}
+
+std::string ImageStore::path_of_file(const std::string& name) const
+{
+    return (fs::path(images_dir_) / name).string();
 }
 
 std::optional<cv::Mat> ImageStore::load(const mrpt::img::CImage& image) const

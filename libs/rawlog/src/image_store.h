@@ -26,6 +26,9 @@ class ImageStore
     /** Path of an externally stored image; empty for an embedded one. */
     std::string path_of(const mrpt::img::CImage& image) const;
 
+    /** Path of a file that stands in the rawlog by this name. */
+    std::string path_of_file(const std::string& name) const;
+
     /** The pixels as stored, shared with `image` when embedded. Nothing when there are none. */
     std::optional<cv::Mat> load(const mrpt::img::CImage& image) const;
 

@@ -127,7 +127,7 @@ struct RawlogReader::State
     std::string path;
     std::uint64_t size;
     GzReader archive;
-    std::deque<mrpt::obs::CObservation::Ptr> pending;
+    std::deque<RawlogEntry> pending;
     std::size_t entries = 0;
     std::optional<TruncatedRawlog> failure;
 };
@@ -155,9 +155,11 @@ bool RawlogReader::State::read_entry()
 void RawlogReader::State::unpack(const CSerializable::Ptr& object)
 {
     if (auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object))
-        pending.push_back(std::move(observation));
+        pending.push_back({std::move(observation), nullptr});
+    else if (auto actions = std::dynamic_pointer_cast<mrpt::obs::CActionCollection>(object))
+        pending.push_back({nullptr, std::move(actions)});
     else if (const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object))
-        pending.insert(pending.end(), frame->begin(), frame->end());
+        for (const auto& each : *frame) pending.push_back({each, nullptr});
     else if (const auto rawlog = std::dynamic_pointer_cast<mrpt::obs::CRawlog>(object))
         for (std::size_t i = 0; i < rawlog->size(); ++i) unpack(rawlog->getAsGeneric(i));
 }
@@ -193,13 +195,20 @@ RawlogReader::RawlogReader(const std::string& path)
 
 RawlogReader::~RawlogReader() = default;
 
-mrpt::obs::CObservation::Ptr RawlogReader::next()
+RawlogEntry RawlogReader::next_entry()
 {
     while (state_->pending.empty())
-        if (!state_->read_entry()) return nullptr;
-    auto observation = std::move(state_->pending.front());
+        if (!state_->read_entry()) return {};
+    auto entry = std::move(state_->pending.front());
     state_->pending.pop_front();
-    return observation;
+    return entry;
+}
+
+mrpt::obs::CObservation::Ptr RawlogReader::next()
+{
+    auto entry = next_entry();
+    while (entry.actions) entry = next_entry();
+    return entry.observation;
 }
 
 double RawlogReader::fraction_read() const

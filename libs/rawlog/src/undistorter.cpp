@@ -25,11 +25,13 @@ bool has_distortion(const CameraModel& camera)
                        [](double coefficient) { return coefficient != 0; });
 }
 
-cv::Mat Undistorter::undistort(const cv::Mat& image, const CameraModel& camera)
+cv::Mat Undistorter::undistort(const cv::Mat& image,
+                               const CameraModel& camera,
+                               cv::InterpolationFlags interpolation)
 {
     if (map_xy_.empty() || fields(camera) != fields(maps_camera_)) make_maps(camera);
     cv::Mat straight;
-    cv::remap(image, straight, map_xy_, map_fraction_, cv::INTER_LINEAR);
+    cv::remap(image, straight, map_xy_, map_fraction_, interpolation);
     return straight;
 }
 

@@ -4,6 +4,7 @@
 #include "fild/core/camera_model.h"
 
 #include <opencv2/core/mat.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace fild
 {
@@ -16,8 +17,11 @@ bool has_distortion(const CameraModel& camera);
 class Undistorter
 {
  public:
-    /** \param camera  of `image`, the same size, with a lens model. Deterministic. */
-    cv::Mat undistort(const cv::Mat& image, const CameraModel& camera);
+    /** \param camera  of `image`, the same size, with a lens model. \param interpolation  between
+     *  pixels; depths are not to be mixed: INTER_NEAREST. Deterministic. */
+    cv::Mat undistort(const cv::Mat& image,
+                      const CameraModel& camera,
+                      cv::InterpolationFlags interpolation = cv::INTER_LINEAR);
 
  private:
     void make_maps(const CameraModel& camera);

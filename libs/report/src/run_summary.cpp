@@ -43,6 +43,38 @@ Json frames_json(const RunSummary& summary)
             {"ignored_camera_labels", summary.ignored_camera_labels}};
 }
 
+Json counts_json(const std::map<std::string, std::size_t>& counts)
+{
+    Json result = Json::object();
+    for (const auto& [word, count] : counts) result[word] = count;
+    return result;
+}
+
+Json map_json(const MapSummary& map)
+{
+    return {{"trajectory", map.trajectory},
+            {"trajectory_source", map.trajectory_source},
+            {"other_sources", map.other_sources},
+            {"frames_without_pose", map.frames_without_pose},
+            {"resets", map.resets},
+            {"gaps", map.gaps},
+            {"clock_jumps", map.clock_jumps},
+            {"unusable_readings", map.unusable_readings},
+            {"depth_sources", counts_json(map.depth_sources)},
+            {"depth_defects", counts_json(map.depth_defects)},
+            {"nodes", map.nodes},
+            {"odometry_edges", map.odometry_edges},
+            {"loop_edges", map.loop_edges},
+            {"loops_without_weight", counts_json(map.loops_without_weight)},
+            {"loops_withheld", counts_json(map.loops_withheld)},
+            {"chi2_before", rounded(map.chi2_before)},
+            {"chi2_after", rounded(map.chi2_after)},
+            {"parts", map.parts},
+            {"is_largest_set", map.is_largest_set},
+            {"optimizations", map.optimizations},
+            {"notes", map.notes}};
+}
+
 Json options_json(const RunSummary::OptionValues& options)
 {
     Json sections = Json::object();
@@ -108,6 +140,7 @@ void write_summary(const RunSummary& summary, const std::string& path)
         {"complete", summary.ended_early.empty()},
         {"ended_early", summary.ended_early},
         {"frames", frames_json(summary)},
+        {"map", map_json(summary.map)},
         {"options", options_json(summary.options)},
         {"versions", versions},
         {"model", {{"file", summary.model_file}, {"sha256", summary.model_sha256}}},

@@ -16,8 +16,8 @@ constexpr double kLeft = 70;  ///< of a plot within its panel
 constexpr double kPlotWidth = 280;
 constexpr double kPlotHeight = 220;
 constexpr double kPanelWidth = kLeft + kPlotWidth + 20;
-constexpr double kLegendTop = kTop + kPlotHeight + 75;
 constexpr double kLegendRow = 22;
+constexpr double kLetter = 8;  ///< width, about
 
 /** Colours of Okabe and Ito, which the colour-blind can tell apart. */
 constexpr std::array<const char*, 7> kColours{
@@ -111,6 +111,26 @@ std::vector<std::string> ticks_of(const SweepReport& report)
     return ticks;
 }
 
+std::size_t longest_of(const std::vector<std::string>& texts)
+{
+    std::size_t longest = 0;
+    for (const auto& text : texts) longest = std::max(longest, text.size());
+    return longest;
+}
+
+/** Ticks that would run into each other are written upwards. */
+bool are_upright(const std::vector<std::string>& ticks)
+{
+    return kLetter * static_cast<double>(longest_of(ticks) + 1) >
+           kPlotWidth / static_cast<double>(ticks.size());
+}
+
+/** Height that ticks take, pixels. */
+double height_of(const std::vector<std::string>& ticks)
+{
+    return are_upright(ticks) ? 12 + kLetter * static_cast<double>(longest_of(ticks)) : 26;
+}
+
 /** The least of 1, 2 and 5 times a power of ten that is not below. */
 double round_up(double value)
 {
@@ -150,9 +170,14 @@ class Plot
             number << value;
             text(left_ - 8, y_of(value) + 5, "end", number.str());
         }
+        const double below = kTop + kPlotHeight;
         for (std::size_t i = 0; i < ticks_.size(); ++i)
-            text(x_of(i), kTop + kPlotHeight + 20, "middle", ticks_[i]);
-        text(left_ + kPlotWidth / 2, kTop + kPlotHeight + 42, "middle", key);
+            if (are_upright(ticks_))
+                svg_ << "<text transform='translate(" << x_of(i) + 5 << ' ' << below + 8
+                     << ") rotate(-90)' text-anchor='end'>" << escaped(ticks_[i]) << "</text>\n";
+            else
+                text(x_of(i), below + 20, "middle", ticks_[i]);
+        text(left_ + kPlotWidth / 2, below + height_of(ticks_) + 16, "middle", key);
     }
 
     std::size_t tick_of(const std::string& value) const
@@ -227,11 +252,11 @@ void draw_panel(std::ostream& svg,
         }
 }
 
-void draw_legend(std::ostream& svg, const std::vector<Series>& all_series)
+void draw_legend(std::ostream& svg, double top, const std::vector<Series>& all_series)
 {
     for (std::size_t i = 0; i < all_series.size(); ++i)
     {
-        const double y = kLegendTop + kLegendRow * static_cast<double>(i);
+        const double y = top + kLegendRow * static_cast<double>(i);
         svg << "<line x1='" << kLeft << "' x2='" << kLeft + 30 << "' y1='" << y << "' y2='" << y
             << "' stroke-width='2.5' stroke='" << kColours.at(i % kColours.size())
             << "'/>\n<text x='" << kLeft + 38 << "' y='" << y + 5 << "'>"
@@ -246,8 +271,9 @@ std::string sweep_svg(const SweepReport& report)
     const auto all_panels = panels();
     const bool needs_legend = report.keys.size() > 1;
     const double width = kPanelWidth * static_cast<double>(all_panels.size());
+    const double legend_top = kTop + kPlotHeight + height_of(ticks_of(report)) + 49;
     const double height =
-        kLegendTop + (needs_legend ? kLegendRow * static_cast<double>(all_series.size()) : 0);
+        legend_top + (needs_legend ? kLegendRow * static_cast<double>(all_series.size()) : 0);
     std::ostringstream svg;
     svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << width << "' height='" << height
         << "' viewBox='0 0 " << width << ' ' << height
@@ -255,7 +281,7 @@ std::string sweep_svg(const SweepReport& report)
         << "<rect width='100%' height='100%' fill='#ffffff'/>\n";
     for (std::size_t i = 0; i < all_panels.size(); ++i)
         draw_panel(svg, kPanelWidth * static_cast<double>(i), all_panels[i], report, all_series);
-    if (needs_legend) draw_legend(svg, all_series);
+    if (needs_legend) draw_legend(svg, legend_top, all_series);
     svg << "</svg>\n";
     return svg.str();
 }

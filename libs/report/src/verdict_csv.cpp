@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/report/verdict_csv.h"
 
+#include "fild/core/angle.h"
+
 #include <array>
 #include <cstdio>
 #include <ostream>
+#include <tuple>
 
 namespace fild
 {
@@ -24,17 +27,13 @@ std::string field(const std::string& text)
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
 }
-}  // namespace
 
-VerdictCsv::VerdictCsv(const std::string& path) : file_(path)
-{
-    file_.stream() << "frame,timestamp,sensor_label,keypoints,candidate,similarity,matches,inliers,"
-                      "accepted,rejection,support\n";
-}
+constexpr const char* kVerdictColumns =
+    "frame,timestamp,sensor_label,keypoints,candidate,similarity,matches,inliers,accepted,"
+    "rejection,support,depth_source";
 
-void VerdictCsv::add(const FrameVerdict& verdict)
+void write_verdict(std::ostream& out, const FrameVerdict& verdict, const std::string& depth_source)
 {
-    auto& out = file_.stream();
     out << to_index(verdict.frame) << ',' << fixed6(verdict.timestamp) << ','
         << field(verdict.sensor_label) << ',' << verdict.keypoints << ',';
     if (verdict.candidate)
@@ -42,7 +41,47 @@ void VerdictCsv::add(const FrameVerdict& verdict)
     else
         out << ',';
     out << ',' << verdict.matches << ',' << verdict.inliers << ',' << (verdict.accepted() ? 1 : 0)
-        << ',' << to_word(verdict.rejection) << ',' << fixed6(verdict.support) << '\n';
+        << ',' << to_word(verdict.rejection) << ',' << fixed6(verdict.support) << ','
+        << depth_source;
+}
+
+void write_numbers(std::ostream& out, const LoopRow::PoseNumbers& numbers)
+{
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        out << ',' << fixed6(i < 3 ? numbers[i] : numbers[i] / kRadiansPerDegree);
+}
+}  // namespace
+
+VerdictCsv::VerdictCsv(const std::string& path) : file_(path)
+{
+    file_.stream() << kVerdictColumns << '\n';
+}
+
+void VerdictCsv::add(const FrameVerdict& verdict, const std::string& depth_source)
+{
+    write_verdict(file_.stream(), verdict, depth_source);
+    file_.stream() << '\n';
+}
+
+LoopCsv::LoopCsv(const std::string& path) : file_(path)
+{
+    file_.stream() << kVerdictColumns
+                   << ",x,y,z,yaw_deg,pitch_deg,roll_deg,sigma_x,sigma_y,sigma_z,sigma_yaw_deg,"
+                      "sigma_pitch_deg,sigma_roll_deg,weight,edge\n";
+}
+
+void LoopCsv::add(const FrameVerdict& verdict, const std::string& depth_source, const LoopRow& loop)
+{
+    auto& out = file_.stream();
+    write_verdict(out, verdict, depth_source);
+    if (loop.candidate_from_query)
+    {
+        write_numbers(out, *loop.candidate_from_query);
+        write_numbers(out, loop.deviations);
+    }
+    else
+        out << std::string(2 * std::tuple_size_v<LoopRow::PoseNumbers>, ',');
+    out << ',' << (loop.weight ? fixed6(*loop.weight) : "") << ',' << loop.edge << '\n';
 }
 
 CandidateCsv::CandidateCsv(const std::string& path) : file_(path)

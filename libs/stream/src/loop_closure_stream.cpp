@@ -20,13 +20,15 @@ TLoopClosureStreamOptions load_stream_options(const std::string& ini_path,
     TLoopClosureStreamOptions options;
     auto ini = load_ini_file(ini_path);
     apply_overrides(ini, overrides);
-    load_sections(ini, options.sections(), {"render"});
+    load_sections(ini, options.sections(), {"render", "graph"});
     return options;
 }
 
 LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
                                      const std::string& rawlog_path)
-    : frames_(options.input, rawlog_path),
+    : frames_(options.input,
+              rawlog_path,
+              options.detector.relative_pose.enabled ? FrameContent::metric : FrameContent::image),
       describer_(options.detector),
       detector_(options.detector, describer_.global_dimension())
 {

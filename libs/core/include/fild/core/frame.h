@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fild/core/camera_model.h"
+#include "fild/core/rigid_transform.h"
 #include "fild/core/verdict.h"
 
 #include <opencv2/core/mat.hpp>
@@ -11,6 +12,34 @@
 
 namespace fild
 {
+/** Why a frame whose depth was asked for carries none. */
+enum class DepthDefect
+{
+    none,  ///< it has a right image or a depth image, or nobody asked
+    mono,  ///< one camera alone
+    not_calibrated,  ///< one of the cameras has no calibration
+    distorted,  ///< the lens distortion was left in: pixels are not straight rays
+    missing_right_image,  ///< none in the observation, not to be read, or not 8 bit
+    unusable_baseline,  ///< see is_usable_baseline()
+    missing_depth_image  ///< none in the observation, not to be read, or of no size
+};
+
+/** The enumerator's name; empty for DepthDefect::none. */
+std::string to_word(DepthDefect defect);
+
+/** The right image of a stereo pair. */
+struct RightView
+{
+    cv::Mat image;  ///< as Frame::image
+    CameraModel camera;  ///< of `image`, a pinhole
+    RigidTransform left_from_right;  ///< between the cameras' axes: x right, y down, z forward
+};
+
+/** True when two cameras can measure depth: the baseline is finite and at least a millimetre, the
+ *  right camera is not on the left one's left (a negative baseline: a wrong sign, or images
+ *  swapped), and it stands beside it or below, at 30 degrees or more from the optical axis. */
+bool is_usable_baseline(const RigidTransform& left_from_right);
+
 /** One camera frame as the detector sees it.
  *
  *  `image` is 8 bit, one channel (grey) or three (BGR, OpenCV's order), lens distortion already
@@ -26,6 +55,15 @@ struct Frame
     /** Why the frame cannot be used (`image` is then empty), or Rejection::none. Such a frame keeps
      *  its id, so that indices go on matching the recording and its ground truth. */
     Rejection defect = Rejection::none;
+
+    // For metric poses; filled only where they are asked for.
+    std::optional<RightView> right;
+    /** Float, metres along the optical axis of `camera`, for each pixel of `image`; NaN where it is
+     *  unknown. Empty: there is none. */
+    cv::Mat depth;
+    DepthDefect depth_defect = DepthDefect::none;  ///< why both `right` and `depth` are missing
+    /** Pose of `camera` (x right, y down, z forward) on the robot (x forward, y left, z up). */
+    std::optional<RigidTransform> robot_from_camera;
 };
 
 }  // namespace fild

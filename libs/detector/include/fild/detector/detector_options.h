@@ -4,6 +4,8 @@
 #include "fild/core/options.h"
 #include "fild/features/global_descriptor_options.h"
 #include "fild/features/local_feature_options.h"
+#include "fild/geometry/depth_options.h"
+#include "fild/geometry/relative_pose_options.h"
 #include "fild/geometry/verification_options.h"
 #include "fild/index/index_options.h"
 #include "fild/matching/hashing_options.h"
@@ -68,6 +70,8 @@ struct TDetectorOptions
     TCandidateOptions candidates;
     TVerificationOptions verification;
     TConsistencyOptions consistency;
+    TDepthOptions depth;
+    TRelativePoseOptions relative_pose;
     TRuntimeOptions runtime;
 
     /** The sections by name, in the order of the pipeline. */

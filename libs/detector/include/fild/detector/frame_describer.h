@@ -5,6 +5,7 @@
 #include "fild/core/frame.h"
 #include "fild/core/stage_times.h"
 #include "fild/detector/detector_options.h"
+#include "fild/detector/place.h"
 #include "fild/features/global_descriptor.h"
 #include "fild/features/surf.h"
 #include "fild/matching/code_hasher.h"
@@ -32,6 +33,7 @@ struct FrameDescription
     Rejection defect = Rejection::none;  ///< as in Frame; the descriptors are then empty
     GlobalDescriptor global;
     HashedFeatures local;
+    MetricView metric{};
 };
 
 /** Features of frames, FILD (IROS 2019) section III-A: the global descriptor by MobileNetV2, local
@@ -45,6 +47,12 @@ class FrameFeatureExtractor
 
     /** \param times receives "global_descriptor" and "local_features". */
     FrameFeatures extract(const Frame& frame, StageTimes& times);
+
+    /** Local features alone, of an image as Frame::image. */
+    LocalFeatures extract_local(const cv::Mat& image) const
+    {
+        return surf_extractor_.extract(image);
+    }
 
     std::size_t global_dimension() const { return global_extractor_.dimension(); }
 
@@ -62,27 +70,33 @@ class FrameHasher
     explicit FrameHasher(const TDetectorOptions& options);
 
     FrameDescription hash(const FrameFeatures& features) const;
+    HashedFeatures hash(const LocalFeatures& features) const;
 
  private:
     int num_threads_;
     CodeHasher hasher_;
 };
 
-/** Describes frames: features, then codes. Not thread-safe: one caller at a time. */
+/** Describes frames: features, then codes, then what metric poses take: depths of the keypoints
+ *  from the frame's right image or depth image. Not thread-safe: one caller at a time. */
 class FrameDescriber
 {
  public:
     /** \throw std::runtime_error as GlobalDescriptorExtractor. */
     explicit FrameDescriber(const TDetectorOptions& options);
 
-    /** \param times receives "global_descriptor", "local_features" and "hashing". */
+    /** \param times receives "global_descriptor", "local_features", "hashing" and, of a frame with
+     *         depth to be had, "depth". */
     FrameDescription describe(const Frame& frame, StageTimes& times);
 
     std::size_t global_dimension() const { return extractor_.global_dimension(); }
 
  private:
+    KeypointDepths depths_of(const Frame& frame, const HashedFeatures& local, StageTimes& times);
+
     FrameFeatureExtractor extractor_;
     FrameHasher hasher_;
+    TDepthOptions depth_options_;
 };
 
 }  // namespace fild

@@ -5,11 +5,12 @@
 #include "fild/core/verdict.h"
 #include "fild/detector/detector_options.h"
 #include "fild/detector/frame_describer.h"
+#include "fild/detector/pair_verifier.h"
+#include "fild/detector/place.h"
 #include "fild/detector/temporal_consistency.h"
-#include "fild/geometry/fundamental_verifier.h"
+#include "fild/geometry/relative_pose.h"
 #include "fild/index/delay_queue.h"
 #include "fild/index/place_index.h"
-#include "fild/matching/code_matcher.h"
 
 #include <cstddef>
 #include <memory>
@@ -28,6 +29,12 @@ struct DetectorOutcome
     /** The nearest answers of the index, ten (or ef) if there are, most similar first, then the
      *  other frames that were verified, in that order. */
     std::vector<ConsideredCandidate> considered;
+    /** Of each of `matches`, which keypoints they are. */
+    std::vector<Match> keypoint_matches{};
+    DepthSource depth_source = DepthSource::none;  ///< of this frame's own depths
+    /** Of an accepted loop: the metric pose of query from candidate, or why there is none. Nothing
+     *  when [relative_pose] is not enabled. */
+    std::optional<RelativePose> pose{};
 };
 
 /** The FILD pipeline, An et al., IROS 2019, Figure 2: finds for each frame the earlier frame that
@@ -42,24 +49,22 @@ class LoopDetector
     /** \param global_dimension  length of the global descriptors that will come. */
     LoopDetector(const TDetectorOptions& options, std::size_t global_dimension);
 
-    /** \param times receives "index_insertion", "index_search", "matching" and "verification".
+    /** \param times receives "index_insertion", "index_search", "matching", "verification" and
+     *         "relative_pose".
      *  \throw std::invalid_argument when ids do not increase or a descriptor has another length. */
     DetectorOutcome process(FrameDescription description, StageTimes& times);
 
-    /** Memory of codes, positions and descriptors held for later frames, bytes; the links of the
-     *  HNSW graph (about 8 x links_per_node bytes a frame) not counted. */
+    /** What is kept of a frame; null for one that was not processed, or could not be used. Valid
+     *  until the next call of process(). */
+    const Place* find_place(FrameId frame) const;
+
+    /** Memory of codes, positions, depths and descriptors held for later frames, bytes; the links
+     * of the HNSW graph (about 8 x links_per_node bytes a frame) not counted. */
     std::size_t map_bytes() const { return map_bytes_; }
 
     std::size_t clock_jumps() const { return clock_jumps_; }
 
  private:
-    /** What is kept of a frame. */
-    struct Place
-    {
-        double timestamp = 0;
-        std::string sensor_label;
-        HashedFeatures local;
-    };
     class Trials;
 
     double advance_clock(double timestamp);
@@ -74,15 +79,17 @@ class LoopDetector
     void follow_neighbours(const FrameDescription& query, Trials& trials) const;
     std::optional<FrameId> neighbour_of(FrameId place, bool later) const;
     void check_consistency(DetectorOutcome& outcome);
+    void add_pose(DetectorOutcome& outcome, const FrameDescription& query, StageTimes& times) const;
     void remember(FrameDescription description);
 
     TIndexOptions index_options_;
     TCandidateOptions candidate_options_;
+    bool estimates_poses_;
     std::size_t min_inliers_;
     DelayQueue queue_;
     std::unique_ptr<PlaceIndex> index_;
-    CodeMatcher matcher_;
-    FundamentalVerifier verifier_;
+    PairVerifier pairs_;
+    RelativePoseEstimator poses_;
     TemporalConsistency consistency_;
 
     std::unordered_map<FrameId, Place> places_;

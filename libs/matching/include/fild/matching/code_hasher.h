@@ -32,14 +32,15 @@ class CodeHasher
     BinaryCodes hash(const LocalFeatures& features, int num_threads) const;
 
  private:
-    std::vector<std::uint64_t> sign_bits(const float* descriptor) const;
+    /** Sets the feature's bits, which are zero, from its projections. */
+    void store(const float* projections, std::size_t feature, BinaryCodes& codes) const;
 
     int bits_;
     int tables_;  ///< 0 without the coarse step
     int bucket_bits_;
     std::size_t projections_;  ///< bits_ + tables_ x bucket_bits_
-    std::vector<float> weights_;  ///< dimension x projections_, row-major
-    std::vector<float> thresholds_;  ///< the centre's projections
+    std::vector<float> weights_;  ///< of the projections, side by side in panels of a few
+    std::vector<float> thresholds_;  ///< the centre's projections, as many as the panels have
 };
 
 }  // namespace fild

@@ -15,6 +15,13 @@ class CObservation;
 
 namespace fild
 {
+/** How much of an observation a frame is to hold. */
+enum class FrameContent
+{
+    image,  ///< what finding loops takes
+    metric  ///< and what metric poses take: Frame::right or Frame::depth, and robot_from_camera
+};
+
 /** Turns the observations of one camera into frames, numbered from 0 in the order of the calls.
  *
  *  Camera observations are CObservationImage, CObservationStereoImages (its left image) and
@@ -33,8 +40,10 @@ class FrameBuilder
 {
  public:
     /** \param rawlog_path  where external images are looked for, see TInputOptions::images_dir.
-     *  \throw std::invalid_argument on bad options. */
-    FrameBuilder(const TInputOptions& options, const std::string& rawlog_path);
+     *  \param content  see build(). \throw std::invalid_argument on bad options. */
+    FrameBuilder(const TInputOptions& options,
+                 const std::string& rawlog_path,
+                 FrameContent content = FrameContent::image);
     FrameBuilder(const FrameBuilder&) = delete;
     FrameBuilder& operator=(const FrameBuilder&) = delete;
     ~FrameBuilder();
@@ -46,9 +55,17 @@ class FrameBuilder
      *  missing_image, unsupported_image, image_size_changed (against this camera's first image) or
      *  repeated_timestamp (of this camera's observation before; its image is not read).
      *  An embedded image that needs no undistortion is shared with the observation, not copied.
+     *
+     *  With FrameContent::metric the right image of CObservationStereoImages is undistorted as the
+     *  left one is; the range image of CObservation3DRangeScan becomes depths of the pixels of
+     *  `image`, projected where the two cameras are not one. `camera_parameters` replaces the
+     *  calibration of both cameras of a pair, and of a depth camera that shares the image's
+     *  calibration. Where there is no depth, Frame::depth_defect says why; the frame itself is
+     *  none the worse.
      *  \throw std::invalid_argument when the observation has no camera image.
-     *  \throw std::runtime_error when the image is missing and on_missing_image is `stop`, or when
-     *         the calibration is for another image size. */
+     *  \throw std::runtime_error when an image is missing and on_missing_image is `stop` (with
+     *         FrameContent::metric, a right or depth image stored outside the rawlog too), or when
+     *         a calibration is for another image size. */
     Frame build(const mrpt::obs::CObservation& observation);
 
     /** Counts an accepted observation as a frame without reading its image. */
@@ -57,8 +74,8 @@ class FrameBuilder
     /** Id of the next frame; as a number, how many there were. */
     FrameId next_id() const;
 
-    /** Path of the first externally stored image that could not be read; empty: none was missing.
-     */
+    /** Path of the first externally stored image (with FrameContent::metric, or right or depth
+     *  image) that could not be read; empty: none was missing. */
     std::string first_missing_image() const;
 
     /** Labels of cameras that were seen and not wanted, sorted: for a warning. */

@@ -9,8 +9,9 @@
 
 namespace mrpt::obs
 {
+class CActionCollection;
 class CObservation;
-}
+}  // namespace mrpt::obs
 
 namespace fild
 {
@@ -29,10 +30,18 @@ class TruncatedRawlog : public std::runtime_error
     std::uint64_t byte_position;
 };
 
+/** One thing that a rawlog tells: an observation, or the actions that led to the observations after
+ *  them. Both null: the rawlog has ended. Value type. */
+struct RawlogEntry
+{
+    std::shared_ptr<mrpt::obs::CObservation> observation;
+    std::shared_ptr<mrpt::obs::CActionCollection> actions;
+};
+
 /** Reads the observations of a rawlog one after the other, in the order of the file, holding only
  *  one entry in memory. Plain or gzipped; made of observations, or of actions and sensory frames
- *  (whose observations come in their order; actions are passed over), or one serialized
- *  mrpt::obs::CRawlog, which alone is loaded whole. Deterministic.
+ *  (whose observations come in their order), or one serialized mrpt::obs::CRawlog, which alone is
+ *  loaded whole. Deterministic.
  *  Not thread-safe: one caller at a time. */
 class RawlogReader
 {
@@ -44,10 +53,13 @@ class RawlogReader
     RawlogReader& operator=(const RawlogReader&) = delete;
     ~RawlogReader();
 
-    /** The next observation, or null at the clean end of the file and ever after.
-     *  \throw TruncatedRawlog naming path, entries read and position; each later call throws it
-     *         again. */
+    /** The next observation, or null at the clean end of the file and ever after; actions are
+     * passed over. \throw TruncatedRawlog naming path, entries read and position; each later call
+     * throws it again. */
     std::shared_ptr<mrpt::obs::CObservation> next();
+
+    /** The next observation or actions; as next(), which may be called in turn. */
+    RawlogEntry next_entry();
 
     /** Share of the stored (compressed) bytes consumed, in [0, 1]: for a progress line. */
     double fraction_read() const;

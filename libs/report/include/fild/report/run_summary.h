@@ -12,6 +12,33 @@
 
 namespace fild
 {
+/** What summary.json says of a run's map. Value type. */
+struct MapSummary
+{
+    std::string trajectory;  ///< none, recorded or vision
+    std::string trajectory_source;  ///< "CObservationOdometry 'ODOMETRY'"; empty: none
+    std::vector<std::string> other_sources;  ///< of motion, not used
+    std::size_t frames_without_pose = 0;
+    std::size_t resets = 0;  ///< of the odometry, or breaks of what the images tell
+    std::size_t gaps = 0;  ///< times without a reading
+    std::size_t clock_jumps = 0;  ///< of the readings
+    std::size_t unusable_readings = 0;
+    /** Frames by where the depths of their keypoints come from, and by why there are none. */
+    std::map<std::string, std::size_t> depth_sources;
+    std::map<std::string, std::size_t> depth_defects;
+    std::size_t nodes = 0;
+    std::size_t odometry_edges = 0;
+    std::size_t loop_edges = 0;  ///< with a weight of more than 0
+    std::map<std::string, std::size_t> loops_without_weight;  ///< edges, by why
+    std::map<std::string, std::size_t> loops_withheld;  ///< that are no edges, by why
+    double chi2_before = 0;
+    double chi2_after = 0;
+    std::vector<std::size_t> parts;  ///< nodes of each, the largest first
+    bool is_largest_set = true;  ///< of consistent loops
+    int optimizations = 0;
+    std::vector<std::string> notes;  ///< what the user should know
+};
+
 /** What summary.json says of a run. */
 struct RunSummary
 {
@@ -31,6 +58,7 @@ struct RunSummary
     std::vector<std::string> ignored_camera_labels;
     double mean_keypoints = 0;
     std::size_t match_pictures = 0;
+    MapSummary map;
     OptionValues options;
     std::vector<std::pair<std::string, std::string>> versions;
     std::string model_file;

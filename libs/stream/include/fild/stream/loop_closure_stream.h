@@ -31,7 +31,7 @@ struct TLoopClosureStreamOptions
 };
 
 /** The options of a stream out of an .ini file of rawlog-loop-closure, such as those in config-ini;
- *  sections for that app alone ([render]) are passed over.
+ *  sections for that app alone ([render], [graph]) are passed over.
  *  \param overrides  as apply_overrides() takes them.
  *  \throw std::runtime_error as load_ini_file() and load_sections().
  *  \throw std::invalid_argument as apply_overrides(). */
@@ -44,6 +44,8 @@ TLoopClosureStreamOptions load_stream_options(const std::string& ini_path,
  *  if (const auto outcome = stream.feed(*observation); outcome && outcome->verdict.accepted())
  *      std::cout << "back at frame " << to_index(outcome->verdict.candidate->frame) << "\n";
  *  \endcode
+ *  With [relative_pose] enabled, and as far as the recording has depth, an accepted loop has its
+ *  metric pose (DetectorOutcome::pose).
  *  Deterministic: the same observations and options give the same verdicts, with any num_threads.
  *  Not thread-safe: one caller at a time. */
 class LoopClosureStream

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_refinement.h"
+
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+// Quantiles of the chi-squared distribution with 1, 2 and 3 degrees of freedom.
+constexpr double kMedian1 = 0.4549;
+constexpr double kMedian2 = 1.3863;
+constexpr double kTail2 = 13.816;
+constexpr double kTail3 = 16.266;
+constexpr double kCauchy = 2.385;  // 95 % efficient on Gaussian noise
+
+cv::Matx33d covariance_of(const PoseResidual& residual, const MeasuredNoise& noise)
+{
+    return noise.pixel_deviation_px * noise.pixel_deviation_px * residual.pixel_part +
+           noise.depth_factor * noise.depth_factor * residual.depth_part;
+}
+
+double squared_mahalanobis(const PoseResidual& residual, const cv::Matx33d& information)
+{
+    return residual.value.dot(information * residual.value);
+}
+
+/** Noise of keypoints has long tails, so that its median says little about the largest errors of
+ *  true matches: these never fall short of what is usual. */
+MeasuredNoise at_least_usual(const MeasuredNoise& noise)
+{
+    constexpr double kUsualPx = 0.5;
+    return {std::max(noise.pixel_deviation_px, kUsualPx), std::max(noise.depth_factor, 1.0)};
+}
+
+bool agrees(const PoseResidual& residual, const MeasuredNoise& noise)
+{
+    const cv::Matx33d information = covariance_of(residual, noise).inv();
+    return squared_mahalanobis(residual, information) <
+           (residual.has_depth_equation ? kTail3 : kTail2);
+}
+
+double median_of(std::vector<double>& values)
+{
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/** The deviation at which the median of `normalised(deviation)`, which falls, is as expected. */
+template <class Normalised>
+double deviation_at_median(const Normalised& normalised, double expected, double low, double high)
+{
+    constexpr int kHalvings = 30;
+    for (int i = 0; i < kHalvings; ++i)
+    {
+        const double middle = std::sqrt(low * high);
+        auto values = normalised(middle);
+        (median_of(values) > expected ? low : high) = middle;
+    }
+    return std::sqrt(low * high);
+}
+
+using Residuals = std::vector<PoseResidual>;
+
+/** Noise of pixels from the two equations in pixels. */
+double measured_pixel_deviation(const Residuals& residuals, const MeasuredNoise& noise)
+{
+    const auto normalised = [&](double deviation)
+    {
+        std::vector<double> values;
+        values.reserve(residuals.size());
+        for (const auto& residual : residuals)
+        {
+            const auto s = covariance_of(residual, {deviation, noise.depth_factor});
+            const cv::Matx22d pixels(s(0, 0), s(0, 1), s(1, 0), s(1, 1));
+            const cv::Vec2d value(residual.value[0], residual.value[1]);
+            values.push_back(value.dot(pixels.inv() * value));
+        }
+        return values;
+    };
+    return deviation_at_median(normalised, kMedian2, 0.02, 20);
+}
+
+/** Noise of depths from the third equation, where enough matches have it; else 1. */
+double measured_depth_factor(const Residuals& residuals, const MeasuredNoise& noise)
+{
+    constexpr std::size_t kEnough = 20;
+    const auto normalised = [&](double factor)
+    {
+        std::vector<double> values;
+        for (const auto& residual : residuals)
+            if (residual.has_depth_equation)
+                values.push_back(residual.value[2] * residual.value[2] /
+                                 covariance_of(residual, {noise.pixel_deviation_px, factor})(2, 2));
+        return values;
+    };
+    return normalised(1).size() < kEnough ? 1 : deviation_at_median(normalised, kMedian1, 0.3, 10);
+}
+
+/** Of matches that all agree with the pose. */
+Residuals residuals_of(const std::vector<MeasuredMatch>& matches,
+                       const CameraPair& cameras,
+                       const RigidTransform& pose,
+                       const std::vector<std::size_t>& which)
+{
+    Residuals residuals;
+    residuals.reserve(which.size());
+    for (const auto k : which)
+        residuals.push_back(pose_residual(matches[k], cameras, pose).value());
+    return residuals;
+}
+
+/** Normal equations of weighted least squares. */
+struct NormalEquations
+{
+    cv::Matx66d information = cv::Matx66d::zeros();
+    cv::Vec<double, 6> gradient;
+};
+
+/** Cauchy's loss at a residual. */
+struct RobustWeight
+{
+    cv::Matx33d information;  ///< inverse covariance times the weight
+    double weight = 1;
+    double slope = 1;  ///< of the residual's pull, mean over directions; less than the weight
+};
+
+RobustWeight robust_weight(const PoseResidual& residual, const MeasuredNoise& noise)
+{
+    const cv::Matx33d inverse = covariance_of(residual, noise).inv();
+    const double dimensions = residual.has_depth_equation ? 3 : 2;
+    const double squared =
+        squared_mahalanobis(residual, inverse) / dimensions / (kCauchy * kCauchy);
+    const double weight = 1 / (1 + squared);
+    return {weight * inverse, weight, weight * (1 - 2 * weight * squared / dimensions)};
+}
+
+NormalEquations normal_equations(const Residuals& residuals, const MeasuredNoise& noise)
+{
+    NormalEquations equations;
+    for (const auto& residual : residuals)
+    {
+        const cv::Matx<double, 6, 3> left =
+            residual.jacobian.t() * robust_weight(residual, noise).information;
+        equations.information += left * residual.jacobian;
+        equations.gradient += left * residual.value;
+    }
+    return equations;
+}
+
+/** By how much the covariance of the solution exceeds the inverse of the information: K.-Y. Liang,
+ *  S. Zeger, "Longitudinal data analysis using generalized linear models", Biometrika 73 (1986),
+ *  reduced to one factor, since few matches do not give a whole matrix. What neighbours pull the
+ *  same way counts as one: keypoints of several sizes at one corner share their errors. Never less
+ *  than a tenth: copies of an image leave no residuals, and are no endless precision. */
+double variance_factor(const Residuals& residuals,
+                       const std::vector<PixelPosition>& pixels,
+                       const MeasuredNoise& noise,
+                       const cv::Matx66d& inverse_information)
+{
+    constexpr double kCellPx = 64;
+    constexpr double kUnknowns = 6;
+    constexpr double kLeast = 0.1;
+    std::map<std::pair<int, int>, cv::Vec<double, 6>> pulls;
+    double weights = 0;
+    double slopes = 0;
+    for (std::size_t k = 0; k < residuals.size(); ++k)
+    {
+        const auto& residual = residuals[k];
+        const std::pair cell(
+            static_cast<int>(std::floor(static_cast<double>(pixels[k].x) / kCellPx)),
+            static_cast<int>(std::floor(static_cast<double>(pixels[k].y) / kCellPx)));
+        const auto robust = robust_weight(residual, noise);
+        pulls[cell] += residual.jacobian.t() * (robust.information * residual.value);
+        weights += robust.weight;
+        slopes += robust.slope;
+    }
+    double sum = 0;
+    for (const auto& [cell, pull] : pulls) sum += pull.dot(inverse_information * pull);
+    const auto cells = static_cast<double>(pulls.size());
+    // The fit gives way to each cell's pull by its share of the six degrees of freedom; squared as
+    // in the jackknife: J. MacKinnon, H. White, Journal of Econometrics 29 (1985), HC3.
+    const double give_way = cells / std::max(cells - kUnknowns, 1.0);
+    const double steepness = weights / slopes;
+    return std::max(kLeast, sum / kUnknowns * give_way * give_way * steepness * steepness);
+}
+
+RigidTransform moved(const RigidTransform& pose, const cv::Vec<double, 6>& step)
+{
+    return {pose.rotation * rotation_from_vector({step[3], step[4], step[5]}),
+            pose.translation + cv::Vec3d(step[0], step[1], step[2])};
+}
+}  // namespace
+
+std::vector<std::size_t> agreeing(const std::vector<MeasuredMatch>& matches,
+                                  const CameraPair& cameras,
+                                  const RigidTransform& candidate_from_query,
+                                  const MeasuredNoise& noise)
+{
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < matches.size(); ++k)
+    {
+        const auto residual = pose_residual(matches[k], cameras, candidate_from_query);
+        if (residual && agrees(*residual, noise)) indices.push_back(k);
+    }
+    return indices;
+}
+
+std::optional<RefinedPose> refined_pose(const std::vector<MeasuredMatch>& matches,
+                                        const CameraPair& cameras,
+                                        const RigidTransform& start)
+{
+    constexpr int kMaxIterations = 30;
+    constexpr double kConverged = 1e-7;
+    constexpr std::size_t kFewest = 6;
+    RefinedPose refined{{start, {}}, {}, agreeing(matches, cameras, start, {})};
+    auto& [pose, covariance] = refined.candidate_from_query;
+    for (int i = 0; i < kMaxIterations; ++i)
+    {
+        if (refined.inliers.size() < kFewest) return std::nullopt;
+        const auto residuals = residuals_of(matches, cameras, pose, refined.inliers);
+        refined.noise.pixel_deviation_px = measured_pixel_deviation(residuals, refined.noise);
+        refined.noise.depth_factor = measured_depth_factor(residuals, refined.noise);
+        const auto equations = normal_equations(residuals, refined.noise);
+        bool solvable = false;
+        covariance = equations.information.inv(cv::DECOMP_CHOLESKY, &solvable);
+        if (!solvable) return std::nullopt;
+        const cv::Vec<double, 6> step = covariance * -equations.gradient;
+        pose = moved(pose, step);
+        refined.inliers = agreeing(matches, cameras, pose, at_least_usual(refined.noise));
+        if (cv::norm(step) < kConverged) break;
+    }
+    if (refined.inliers.size() < kFewest) return std::nullopt;
+    std::vector<PixelPosition> pixels;
+    pixels.reserve(refined.inliers.size());
+    for (const auto k : refined.inliers) pixels.push_back(matches[k].query.pixel);
+    const auto residuals = residuals_of(matches, cameras, pose, refined.inliers);
+    covariance = covariance * variance_factor(residuals, pixels, refined.noise, covariance);
+    return refined;
+}
+
+}  // namespace fild

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/geometry/stereo_depths.h"
+
+#include "patch_fit.h"
+#include "rectified_pair.h"
+#include "row_matches.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+void require_pair(const Frame& frame, const HashedFeatures& left, const HashedFeatures& right)
+{
+    if (!frame.camera || !frame.right)
+        throw std::invalid_argument("depths_from_stereo: the frame has no calibrated pair");
+    const auto fits = [](const CameraModel& camera, const cv::Mat& image)
+    { return cv::Size(camera.width, camera.height) == image.size() && !image.empty(); };
+    if (!fits(*frame.camera, frame.image) || !fits(frame.right->camera, frame.right->image))
+        throw std::invalid_argument("depths_from_stereo: a camera is for another image size");
+    if (left.codes.bits != right.codes.bits && left.codes.size() > 0 && right.codes.size() > 0)
+        throw std::invalid_argument("depths_from_stereo: codes of " +
+                                    std::to_string(left.codes.bits) + " and " +
+                                    std::to_string(right.codes.bits) + " bits do not compare");
+}
+
+/** Between pixels the images are taken to be linear, which blurred ones are more nearly. */
+cv::Mat smooth(const cv::Mat& image)
+{
+    constexpr double kSigma = 0.8;  // pixels
+    cv::Mat blurred;
+    cv::GaussianBlur(image, blurred, {}, kSigma);
+    return blurred;
+}
+
+/** Depth in the left camera of a rectified pixel at a disparity. */
+double depth_of(const RectifiedPair& pair, const cv::Point2d& pixel, double disparity)
+{
+    const double z = pair.focal_px * pair.baseline_m / disparity;
+    const cv::Vec3d ray((pixel.x - pair.principal_point.x) / pair.focal_px,
+                        (pixel.y - pair.principal_point.y) / pair.focal_px,
+                        1);
+    return z * (pair.camera_from_rectified * ray)[2];
+}
+}  // namespace
+
+KeypointDepths depths_from_stereo(const Frame& frame,
+                                  const HashedFeatures& left,
+                                  const HashedFeatures& right,
+                                  const TDepthOptions& options)
+{
+    options.check();
+    require_pair(frame, left, right);
+    if (!is_usable_baseline(frame.right->left_from_right)) return {};
+    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+    KeypointDepths depths;
+    depths.source = DepthSource::stereo;
+    depths.metres.assign(left.positions.size(), kUnknown);
+    depths.deviations_m.assign(left.positions.size(), kUnknown);
+
+    const auto pair = rectified_pair(frame);
+    const auto left_image = smooth(pair.left);
+    const auto right_image = smooth(pair.right);
+    const auto in_left = transformed(left.positions, pair.left_pixel_from_raw);
+    const auto in_right = transformed(right.positions, pair.right_pixel_from_raw);
+    const RowSearch search{options.max_row_error_px,
+                           pair.focal_px * pair.baseline_m / options.min_depth_m,
+                           options.stereo_ratio};
+    for (const auto& match : match_on_rows(in_left, left.codes, in_right, right.codes, search))
+    {
+        const auto& pixel = in_left[match.query];
+        const double start = pixel.x - in_right[match.candidate].x;
+        const auto fit = fit_patch(left_image, right_image, pixel, start, options.patch_px);
+        if (!fit || fit->correlation < options.min_correlation) continue;
+        const double relative_deviation =
+            std::hypot(options.disparity_deviation_px, fit->deviation_px) / fit->disparity_px;
+        const double z = depth_of(pair, pixel, fit->disparity_px);
+        if (!(fit->disparity_px > 0) || !(relative_deviation <= options.max_relative_deviation) ||
+            !(z >= options.min_depth_m))
+            continue;
+        depths.metres[match.query] = static_cast<float>(z);
+        depths.deviations_m[match.query] = static_cast<float>(relative_deviation * z);
+    }
+    return depths;
+}
+
+}  // namespace fild

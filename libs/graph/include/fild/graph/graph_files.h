@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/graph/graph_options.h"
+#include "fild/graph/pose_graph.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mrpt::obs
+{
+class CObservation;
+}
+
+namespace fild
+{
+/** Writes a graph for MRPT's graph-slam and CNetworkOfPoses: node ids are frame numbers, the first
+ *  node is fixed.
+ *
+ *  spatial: TORO's VERTEX3 and EDGE3, angles as roll pitch yaw, rows of the information likewise.
+ *  planar: VERTEX_SE2 and EDGE_SE2, made of x, y and yaw; their information is what remains of the
+ *  covariance, not a part of the information.
+ *  MRPT 2.5 optimises only connected graphs: write the largest of connected_parts().
+ *  \throw std::invalid_argument on a bad graph, std::runtime_error when the file cannot be written.
+ */
+void write_mrpt_graph(const std::string& path, const PoseGraph& graph, GraphDimensions dimensions);
+
+/** Writes VERTEX_SE3:QUAT and EDGE_SE3:QUAT for g2o. Its error of rotation is the vector part of a
+ *  unit quaternion, half of the rotation vector: the information of rotations is 4 times, and that
+ *  of rotations with translations twice, what it is for a rotation vector. Throws as
+ *  write_mrpt_graph(). */
+void write_g2o(const std::string& path, const PoseGraph& graph);
+
+/** What was observed at keyframes. */
+using KeyframeObservations =
+    std::map<FrameId, std::vector<std::shared_ptr<mrpt::obs::CObservation>>>;
+
+/** Writes a mrpt::maps::CSimpleMap: the pose of each node and what was observed there; nodes
+ * without observations are left out. Images that are stored outside stay outside: who reads the map
+ * sets mrpt::img::CImage::setImagesPathBase() to the rawlog's folder of images. The poses are given
+ *  without uncertainty (covariance 0).
+ *  \throw std::runtime_error when the file cannot be written. */
+void write_simple_map(const std::string& path,
+                      const PoseGraph& graph,
+                      const KeyframeObservations& observations);
+
+}  // namespace fild

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/verdict.h"
+#include "fild/graph/graph_options.h"
+#include "fild/graph/trajectory.h"
+
+#include <memory>
+
+namespace mrpt::obs
+{
+class CActionCollection;
+class CObservation;
+}  // namespace mrpt::obs
+
+namespace fild
+{
+/** Gathers the robot's motion from the entries of a rawlog, and gives its pose at camera frames.
+ *
+ *  The first source that can serve is used throughout: CObservationOdometry,
+ *  CObservationRobotPose, or actions (CActionRobotMovement2D and 3D); with MotionSource::gps
+ *  CObservationGPS. The pose between two readings is interpolated.
+ *  * Actions: they lead to the observations after them, so the pose holds at the first of these
+ *    that has a time stamp (the actions' own lies half way in MRPT's recordings).
+ *  * GPS: GGA fixes become metres east, north and up of the first; x is east. The heading is that
+ *    of the movement over TGraphOptions::gps_heading_baseline_m, so a robot that drives backwards
+ *    looks the wrong way; pitch and roll are 0.
+ *  * Covariances of CObservationRobotPose are absolute. Along directions in which they grow from
+ *    one frame to the next, the growth counts (dead reckoning); along others both count, as for
+ *    poses measured independently.
+ *  * A clock that jumps back: the motion goes on; frames find their readings by time and, where a
+ *    time comes twice, by the order in which all was fed.
+ *  * An odometry that is reset, or jumps further than a robot can move, begins a new segment at
+ *    the last pose.
+ *
+ *  Memory grows with the number of readings. Deterministic. Not thread-safe: one caller at a time.
+ */
+class TrajectoryBuilder
+{
+ public:
+    /** \throw std::invalid_argument on bad options. */
+    explicit TrajectoryBuilder(const TGraphOptions& options);
+    TrajectoryBuilder(const TrajectoryBuilder&) = delete;
+    TrajectoryBuilder& operator=(const TrajectoryBuilder&) = delete;
+    ~TrajectoryBuilder();
+
+    /** To be called for every observation of the rawlog, in its order; most are passed over. */
+    void feed(const mrpt::obs::CObservation& observation);
+    void feed(const mrpt::obs::CActionCollection& actions);
+
+    /** A camera frame at its place among the observations, after its observation was fed. Ids must
+     *  increase. \throw std::invalid_argument when they do not. */
+    void add_frame(FrameId frame, double timestamp);
+
+    /** The poses of the frames so far. Costs time in proportion to readings and frames. */
+    Trajectory build() const;
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace fild

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/stage_times.h"
+#include "fild/detector/loop_detector.h"
+#include "fild/graph/frame_poses.h"
+#include "fild/graph/graph_options.h"
+#include "fild/graph/loop_selection.h"
+#include "fild/graph/trajectory_builder.h"
+#include "fild/mapping/loop_edge.h"
+
+#include <set>
+#include <vector>
+
+namespace fild
+{
+/** Where a map's input trajectory comes from. */
+enum class TrajectorySource
+{
+    none,  ///< the recording has no odometry, and the images no depth
+    recorded,  ///< odometry, actions, robot poses or GPS
+    vision  ///< stereo pairs or depth images, see visual_odometry()
+};
+
+/** The enumerator's name. */
+const char* to_word(TrajectorySource source);
+
+/** A recording's optimised pose graph and all that led to it. Value type. */
+struct Map
+{
+    Trajectory trajectory;  ///< as it was before the loops
+    TrajectorySource trajectory_source = TrajectorySource::none;
+    /** Nodes at their optimised poses, loops with a weight of more than 0; see solved_graph(). */
+    PoseGraph graph{};
+    std::vector<std::vector<FrameId>> parts{};  ///< of the graph, see connected_parts()
+    std::vector<TrajectoryPose> optimized{};  ///< of each pose of the trajectory
+    std::vector<LoopEdge> loops{};  ///< every accepted loop, in order of the queries
+    std::set<FrameId> frames_with_motion_depth{};  ///< of the loops without depth of their own
+    /** Sum of the squared errors of all edges of `graph`, times the loops' weights. */
+    double chi2_before = 0;  ///< at the poses of the trajectory
+    double chi2_after = 0;  ///< at the optimised ones
+    bool is_largest_set = true;  ///< see LoopAgreement
+    int optimizations = 0;  ///< 0: there was nothing to optimise
+};
+
+/** Gathers what a rawlog tells beside its images, and the detector's answers; then builds the map.
+ *
+ *  Where the recording has no odometry, stereo pairs and depth images give the motion. A single
+ *  camera gets its scale from the odometry: frames of loops that have no depth of their own are
+ *  triangulated against frames nearby. Deterministic, with any number of threads. Not thread-safe:
+ *  one caller at a time. */
+class MapBuilder
+{
+ public:
+    /** \throw std::invalid_argument on bad options. */
+    MapBuilder(const TDetectorOptions& detector_options, const TGraphOptions& graph_options);
+
+    /** To be called for every entry of the rawlog, in its order, before it is given to a stream. */
+    void feed(const mrpt::obs::CObservation& observation) { trajectory_.feed(observation); }
+    void feed(const mrpt::obs::CActionCollection& actions) { trajectory_.feed(actions); }
+
+    /** The detector's answer for a camera frame, after its observation was fed. */
+    void add(const DetectorOutcome& outcome);
+
+    /** The map of all so far.
+     *  \param detector  that gave the outcomes, with the same options.
+     *  \param times receives "trajectory", "visual_odometry", "motion_depth", "graph", and the
+     *         stages of the pairs of frames that were looked at. */
+    Map build(const LoopDetector& detector, StageTimes& times) const;
+
+ private:
+    struct Loop
+    {
+        FrameId candidate{};
+        FrameId query{};
+        std::optional<RelativePose> pose;
+    };
+
+    Map map_on_trajectory(const LoopDetector& detector, StageTimes& times) const;
+    LoopEdge edge_of(const Loop& loop, const LoopDetector& detector) const;
+    void scale_by_motion(Map& map, const LoopDetector& detector, StageTimes& times) const;
+    void solve(Map& map) const;
+
+    TDetectorOptions detector_options_;
+    TGraphOptions graph_options_;
+    TrajectoryBuilder trajectory_;
+    std::vector<Loop> loops_;
+    FrameId end_{};  ///< the frame after the last one
+};
+
+}  // namespace fild

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/mapping/map_builder.h"
+
+#include "fild/graph/graph_builder.h"
+#include "fild/graph/robust_optimizer.h"
+#include "fild/mapping/motion_scale.h"
+#include "fild/mapping/pair_poses.h"
+#include "fild/mapping/visual_odometry.h"
+
+#include <map>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+Withheld withheld_for(NoMetricPose reason)
+{
+    switch (reason)
+    {
+        case NoMetricPose::none:
+            return Withheld::none;
+        case NoMetricPose::not_calibrated:
+            return Withheld::not_calibrated;
+        case NoMetricPose::no_depth:
+            return Withheld::no_depth;
+        case NoMetricPose::too_few_points:
+            return Withheld::too_few_points;
+        case NoMetricPose::no_model:
+            return Withheld::no_model;
+        case NoMetricPose::degenerate:
+            return Withheld::degenerate;
+        case NoMetricPose::disagreement:
+            return Withheld::disagreement;
+    }
+    return Withheld::none;
+}
+
+/** The edge that a metric pose makes, or why it makes none. */
+void set_pose(LoopEdge& edge, const RelativePose& pose, const Place& candidate, const Place& query)
+{
+    edge.withheld = withheld_for(pose.reason);
+    const bool is_distorted = candidate.metric.depth_defect == DepthDefect::distorted ||
+                              query.metric.depth_defect == DepthDefect::distorted;
+    if (edge.withheld == Withheld::not_calibrated && is_distorted)
+        edge.withheld = Withheld::distorted;
+    if (!pose.candidate_from_query) return;
+    edge.motion = robot_motion(*pose.candidate_from_query, candidate.metric, query.metric);
+    if (!edge.motion) edge.withheld = Withheld::singular_covariance;
+}
+
+/** Sum of the squared errors of a graph's edges at its nodes' poses. A loop's information is
+ *  weighed already. */
+double chi2_of(const PoseGraph& graph)
+{
+    std::map<FrameId, const mrpt::poses::CPose3D*> pose_of;
+    for (const auto& node : graph.nodes) pose_of[node.frame] = &node.map_from_robot;
+    double sum = 0;
+    for (const auto* edges : {&graph.odometry, &graph.loops})
+        for (const auto& edge : *edges)
+            sum += squared_error(edge, *pose_of.at(edge.a), *pose_of.at(edge.b));
+    return sum;
+}
+}  // namespace
+
+const char* to_word(TrajectorySource source)
+{
+    switch (source)
+    {
+        case TrajectorySource::none:
+            return "none";
+        case TrajectorySource::recorded:
+            return "recorded";
+        case TrajectorySource::vision:
+            return "vision";
+    }
+    return "";
+}
+
+MapBuilder::MapBuilder(const TDetectorOptions& detector_options, const TGraphOptions& graph_options)
+    : detector_options_(detector_options), graph_options_(graph_options), trajectory_(graph_options)
+{
+}
+
+void MapBuilder::add(const DetectorOutcome& outcome)
+{
+    const auto& verdict = outcome.verdict;
+    trajectory_.add_frame(verdict.frame, verdict.timestamp);
+    end_ = FrameId{to_index(verdict.frame) + 1};
+    if (!verdict.accepted()) return;
+    loops_.push_back({verdict.candidate->frame, verdict.frame, outcome.pose});
+    if (loops_.back().pose) loops_.back().pose->inliers = {};  // no longer needed
+}
+
+Map MapBuilder::build(const LoopDetector& detector, StageTimes& times) const
+{
+    auto map = map_on_trajectory(detector, times);
+    map.loops.reserve(loops_.size());
+    for (const auto& loop : loops_) map.loops.push_back(edge_of(loop, detector));
+    if (detector_options_.relative_pose.enabled) scale_by_motion(map, detector, times);
+    const StageTimer timer(times, "graph");
+    solve(map);
+    return map;
+}
+
+Map MapBuilder::map_on_trajectory(const LoopDetector& detector, StageTimes& times) const
+{
+    {
+        const StageTimer timer(times, "trajectory");
+        auto recorded = trajectory_.build();
+        if (!recorded.report().source.empty())
+            return {std::move(recorded), TrajectorySource::recorded};
+    }
+    const auto motions = visual_odometry(detector, end_, detector_options_, times);
+    return {trajectory_from_motions(motions),
+            motions.empty() ? TrajectorySource::none : TrajectorySource::vision};
+}
+
+LoopEdge MapBuilder::edge_of(const Loop& loop, const LoopDetector& detector) const
+{
+    LoopEdge edge{loop.candidate, loop.query};
+    if (loop.pose)
+        set_pose(edge,
+                 *loop.pose,
+                 *detector.find_place(loop.candidate),
+                 *detector.find_place(loop.query));
+    else
+        edge.withheld = Withheld::not_enabled;
+    return edge;
+}
+
+void MapBuilder::scale_by_motion(Map& map, const LoopDetector& detector, StageTimes& times) const
+{
+    std::vector<std::size_t> without_depth;
+    for (std::size_t i = 0; i < map.loops.size(); ++i)
+        if (map.loops[i].withheld == Withheld::no_depth) without_depth.push_back(i);
+    if (map.trajectory_source != TrajectorySource::recorded)
+    {
+        for (const auto i : without_depth) map.loops[i].withheld = Withheld::no_odometry;
+        return;
+    }
+    const MotionScale scale(detector, map.trajectory, detector_options_);
+    std::set<FrameId> wanted;
+    for (const auto i : without_depth) wanted.insert({map.loops[i].candidate, map.loops[i].query});
+    const std::vector<FrameId> frames(wanted.begin(), wanted.end());
+    std::vector<KeypointDepths> depths(frames.size());
+    const int num_threads = detector_options_.runtime.num_threads;
+    timed_parallel_for(num_threads,
+                       frames.size(),
+                       times,
+                       [&](std::size_t i, StageTimes& own_times)
+                       { depths[i] = scale.depths_of(frames[i], own_times); });
+    std::map<FrameId, const KeypointDepths*> depths_of;
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+        depths_of[frames[i]] = &depths[i];
+        if (depths[i].known() > 0) map.frames_with_motion_depth.insert(frames[i]);
+    }
+    const PairPoses poses(detector_options_);
+    timed_parallel_for(num_threads,
+                       without_depth.size(),
+                       times,
+                       [&](std::size_t i, StageTimes& own_times)
+                       {
+                           auto& edge = map.loops[without_depth[i]];
+                           const auto& candidate = *detector.find_place(edge.candidate);
+                           const auto& query = *detector.find_place(edge.query);
+                           const auto pose = poses.estimate(query,
+                                                            *depths_of.at(edge.query),
+                                                            candidate,
+                                                            *depths_of.at(edge.candidate),
+                                                            own_times);
+                           set_pose(edge, pose, candidate, query);
+                       });
+}
+
+void MapBuilder::solve(Map& map) const
+{
+    std::vector<LoopMeasurement> measured;
+    std::vector<LoopEdge*> edges;
+    for (auto& loop : map.loops)
+    {
+        if (!loop.motion) continue;
+        if (!map.trajectory.pose(loop.candidate) || !map.trajectory.pose(loop.query))
+        {
+            loop.withheld = Withheld::frame_without_pose;
+            continue;
+        }
+        measured.push_back({loop.candidate, loop.query, *loop.motion});
+        edges.push_back(&loop);
+    }
+    if (map.trajectory.poses().empty()) return;
+    const auto built = build_pose_graph(map.trajectory, measured, graph_options_);
+    const auto solution = solve_graph(built.graph, graph_options_);
+    for (std::size_t i = 0; i < edges.size(); ++i) edges[i]->result = solution.loops[i];
+    map.graph = solved_graph(built.graph, solution);
+    map.parts = solution.parts;
+    map.is_largest_set = solution.is_largest_set;
+    map.optimizations = solution.optimizations;
+    map.optimized = corrected_poses(map.trajectory, map.graph);
+    map.chi2_after = chi2_of(map.graph);
+    auto unsolved = map.graph;
+    for (std::size_t i = 0; i < unsolved.nodes.size(); ++i)
+        unsolved.nodes[i].map_from_robot = built.graph.nodes[i].map_from_robot;
+    map.chi2_before = chi2_of(unsolved);
+}
+
+}  // namespace fild

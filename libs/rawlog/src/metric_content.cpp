@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "metric_content.h"
+
+#include "depth_registration.h"
+#include "fild/rawlog/camera_conversion.h"
+#include "fild/rawlog/pose_conversion.h"
+#include "range_image.h"
+#include "robot_frame.h"
+
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationImage.h>
+#include <mrpt/obs/CObservationStereoImages.h>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace fild
+{
+namespace
+{
+using namespace mrpt::obs;
+
+RigidTransform robot_from_camera_of(const CObservation& observation)
+{
+    mrpt::poses::CPose3D robot_from_sensor;
+    observation.getSensorPose(robot_from_sensor);
+    if (const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation))
+        return rigid_transform_from(robot_from_sensor + scan->relativePoseIntensityWRTDepth);
+    return rigid_transform_from(robot_from_sensor);
+}
+
+CameraModel without_distortion(CameraModel camera)
+{
+    camera.lens = LensModel::none;
+    camera.distortion.fill(0);
+    return camera;
+}
+
+/** True when each number of the range image belongs to the pixel at the same place. */
+bool is_registered(const CObservation3DRangeScan& scan)
+{
+    const auto& a = scan.cameraParams;
+    const auto& b = scan.cameraParamsIntensity;
+    return scan.doDepthAndIntensityCamerasCoincide() && a.intrinsicParams == b.intrinsicParams &&
+           a.dist == b.dist && a.ncols == b.ncols && a.nrows == b.nrows;
+}
+
+/** Zeros, which stand for no reading in MRPT, become NaN. */
+cv::Mat with_nan(cv::Mat depth)
+{
+    depth.setTo(std::numeric_limits<float>::quiet_NaN(), ~(depth > 0));
+    return depth;
+}
+}  // namespace
+
+MetricContent::MetricContent(const ImageStore& store,
+                             bool undistort,
+                             const std::optional<CameraModel>& override_camera)
+    : store_(store), undistort_(undistort), override_camera_(override_camera)
+{
+}
+
+std::string MetricContent::add_to(Frame& frame, const CObservation& observation)
+{
+    frame.robot_from_camera = robot_from_camera_of(observation);
+    const auto* stereo = dynamic_cast<const CObservationStereoImages*>(&observation);
+    const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation);
+    if (!frame.camera)
+        frame.depth_defect = DepthDefect::not_calibrated;
+    else if (has_distortion(*frame.camera))
+        frame.depth_defect = DepthDefect::distorted;
+    else if (stereo != nullptr)
+        return add_right(frame, *stereo);
+    else if (scan != nullptr)
+        return add_depth(frame, *scan);
+    else
+        frame.depth_defect = DepthDefect::mono;
+    return "";
+}
+
+std::string MetricContent::add_right(Frame& frame, const CObservationStereoImages& stereo)
+{
+    const auto camera = override_camera_ ? override_camera_ : camera_model_from(stereo.rightCamera);
+    RightView right;
+    right.left_from_right = rigid_transform_from(mrpt::poses::CPose3D(stereo.rightCameraPose));
+    const auto stored = stereo.hasImageRight ? store_.load(stereo.imageRight) : std::nullopt;
+    const auto image = stored ? as_grey_or_bgr(*stored) : std::nullopt;
+    if (!camera)
+        frame.depth_defect = DepthDefect::not_calibrated;
+    else if (has_distortion(*camera) && !undistort_)
+        frame.depth_defect = DepthDefect::distorted;
+    else if (!is_usable_baseline(right.left_from_right))
+        frame.depth_defect = DepthDefect::unusable_baseline;
+    else if (!image)
+        frame.depth_defect = DepthDefect::missing_right_image;
+    if (frame.depth_defect != DepthDefect::none)
+        return stored || !stereo.hasImageRight ? "" : store_.path_of(stereo.imageRight);
+    if (image->size() != cv::Size(camera->width, camera->height))
+        throw std::runtime_error("the calibration of the right camera of '" + frame.sensor_label +
+                                 "' is for another image size than its images have; set [input] "
+                                 "camera_parameters for that size");
+    right.image = has_distortion(*camera) ? right_undistorter_.undistort(*image, *camera) : *image;
+    right.camera = without_distortion(*camera);
+    frame.right = std::move(right);
+    return "";
+}
+
+std::string MetricContent::add_depth(Frame& frame, const CObservation3DRangeScan& scan)
+{
+    auto path = scan.hasRangeImage && scan.rangeImage_isExternallyStored()
+                    ? store_.path_of_file(scan.rangeImage_getExternalStorageFile(""))
+                    : "";
+    const auto ranges = ranges_of(scan, path);
+    if (!ranges.empty())
+    {
+        frame.depth = depth_on_image(frame, scan, ranges);
+        if (frame.depth.empty()) frame.depth_defect = DepthDefect::not_calibrated;
+        return "";
+    }
+    frame.depth_defect = DepthDefect::missing_depth_image;
+    return path;
+}
+
+cv::Mat MetricContent::depth_on_image(const Frame& frame,
+                                      const CObservation3DRangeScan& scan,
+                                      const cv::Mat& ranges)
+{
+    const bool registered = is_registered(scan) && ranges.size() == frame.image.size();
+    auto camera = camera_model_from(scan.cameraParams);
+    if (registered && override_camera_) camera = override_camera_;
+    if (!camera || ranges.size() != cv::Size(camera->width, camera->height)) return {};
+    auto straight = ranges;
+    if (has_distortion(*camera))
+        straight = depth_undistorter_.undistort(ranges, *camera, cv::INTER_NEAREST);
+    const auto pinhole = without_distortion(*camera);
+    if (!scan.range_is_depth) straight = depth_from_ranges(straight, pinhole);
+    if (registered) return with_nan(straight);
+    const auto image_from_depth =
+        rigid_transform_from(scan.relativePoseIntensityWRTDepth).inverse() *
+        rigid_transform_from(robot_from_camera());  // the range image looks along its sensor's x
+    return with_nan(registered_depth(straight, pinhole, *frame.camera, image_from_depth));
+}
+
+}  // namespace fild

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/frame.h"
+#include "image_store.h"
+#include "undistorter.h"
+
+#include <optional>
+#include <string>
+
+namespace mrpt::obs
+{
+class CObservation;
+class CObservation3DRangeScan;
+class CObservationStereoImages;
+}  // namespace mrpt::obs
+
+namespace fild
+{
+/** Gives frames what metric poses need: the right image or the depth image, and the camera's pose
+ *  on the robot. Not thread-safe: one caller at a time. */
+class MetricContent
+{
+ public:
+    /** \param store  outlives this. \param override_camera  instead of every camera's own. */
+    MetricContent(const ImageStore& store,
+                  bool undistort,
+                  const std::optional<CameraModel>& override_camera);
+
+    /** \param frame  of `observation`, with image and camera. Sets depth_defect when there is no
+     *  depth to be had. \return path of a right or depth image that is stored outside the rawlog
+     *  and cannot be read; empty when there is none such.
+     *  \throw std::runtime_error when the right camera is calibrated for another image size. */
+    std::string add_to(Frame& frame, const mrpt::obs::CObservation& observation);
+
+ private:
+    std::string add_right(Frame& frame, const mrpt::obs::CObservationStereoImages& stereo);
+    std::string add_depth(Frame& frame, const mrpt::obs::CObservation3DRangeScan& scan);
+    cv::Mat depth_on_image(const Frame& frame,
+                           const mrpt::obs::CObservation3DRangeScan& scan,
+                           const cv::Mat& ranges);
+
+    const ImageStore& store_;
+    bool undistort_;
+    std::optional<CameraModel> override_camera_;
+    Undistorter right_undistorter_;
+    Undistorter depth_undistorter_;
+};
+
+}  // namespace fild

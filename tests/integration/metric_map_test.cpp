@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// rawlog-loop-closure from stereo pairs and depth images to the files of an optimised map.
+#include "drawn_drive.h"
+#include "fild/rawlog/camera_conversion.h"
+#include "fild/synthetic/synthetic_options.h"
+#include "fild/synthetic/synthetic_recording.h"
+#include "fild/synthetic/town.h"
+#include "frames_csv.h"
+#include "rawlog/drawn_rawlog.h"
+#include "run_command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mrpt/graphs/CNetworkOfPoses.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationStereoImages.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+
+namespace
+{
+using fild::testing::Finished;
+using fild::testing::lines_of;
+using fild::testing::Objects;
+using fild::testing::read_text;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr const char* kConfig =
+    "[global_descriptor]\nmodel_file = " FILD_TINY_NETWORK
+    "\nlayers = map\ninput_width = 4\ninput_height = 4\npooling = grid\n"
+    "[index]\ndelay_seconds = 5\ncandidates = 16\n"
+    "[hashing]\nratio = 0.87\nmutual_check = true\n"
+    "[verification]\nmethod = magsac\nmin_weighed_inliers = 10\n"
+    "[consistency]\nconsecutive_frames = 1\n"
+    "[render]\nmax_match_pictures = 0\n";
+
+const std::vector<std::string> kMapFiles = {"map.simplemap",
+                                            "poses.g2o",
+                                            "poses.graph",
+                                            "trajectory_input.tum",
+                                            "trajectory_optimized.tum"};
+
+// The wall of drawn_drive.h, kDepth metres to the left of a robot that drives along it twice.
+constexpr std::size_t kFramesPerLap = 8;
+constexpr double kFocal = 300;
+constexpr double kDepth = 6;
+constexpr double kStep = 80 / kFocal * kDepth;
+constexpr double kShift = 7 / kFocal * kDepth;  // forward, of the second lap
+constexpr double kDrop = 4 / kFocal * kDepth;  // downward
+constexpr int kDisparity = 20;
+constexpr double kBaseline = kDisparity / kFocal * kDepth;
+
+enum class Sensor
+{
+    stereo,
+    depth
+};
+
+mrpt::img::CImage to_image(const cv::Mat& pixels)
+{
+    return {pixels, mrpt::img::DEEP_COPY};
+}
+
+mrpt::img::TCamera camera()
+{
+    return fild::mrpt_camera_from(
+        {kFocal, kFocal, 159.5, 119.5, 320, 240, fild::LensModel::none, {}});
+}
+
+mrpt::obs::CObservationStereoImages::Ptr stereo_pair(const cv::Mat& left, const cv::Mat& right)
+{
+    auto pair = mrpt::obs::CObservationStereoImages::Create();
+    pair->imageLeft = to_image(left);
+    pair->imageRight = to_image(right);
+    pair->hasImageRight = true;
+    pair->leftCamera = pair->rightCamera = camera();
+    pair->cameraPose = mrpt::poses::CPose3DQuat(mrpt::poses::CPose3D(0, 0, 1, 0, 0, -CV_PI / 2));
+    pair->rightCameraPose =
+        mrpt::poses::CPose3DQuat(mrpt::poses::CPose3D(kBaseline, 0, 0, 0, 0, 0));
+    return pair;
+}
+
+mrpt::obs::CObservation3DRangeScan::Ptr range_scan(const cv::Mat& image)
+{
+    auto scan = mrpt::obs::CObservation3DRangeScan::Create();
+    scan->hasIntensityImage = scan->hasRangeImage = true;
+    scan->intensityImage = to_image(image);
+    scan->cameraParams = scan->cameraParamsIntensity = camera();
+    scan->sensorPose = mrpt::poses::CPose3D(0, 0, 1, CV_PI / 2, 0, 0);
+    scan->rangeUnits = 0.001F;
+    scan->rangeImage_setSize(image.rows, image.cols);
+    scan->rangeImage.fill(static_cast<std::uint16_t>(1000 * kDepth));
+    return scan;
+}
+
+/** A recording of the two laps; `change` sees each camera observation. */
+struct WallDrive
+{
+    Sensor sensor = Sensor::stereo;
+    bool odometry = true;
+    std::size_t frames = 2 * kFramesPerLap;
+    bool second_wall = false;  ///< the second lap is somewhere else
+    std::function<void(mrpt::obs::CObservation&)> change = [](mrpt::obs::CObservation&) {};
+
+    Objects objects() const
+    {
+        Objects objects;
+        const cv::Size size(80 * static_cast<int>(kFramesPerLap) + 400, 260);
+        const auto first = fild::testing::draw_wall(size.width, size.height, 1);
+        const auto second =
+            second_wall ? fild::testing::draw_wall(size.width, size.height, 2) : first;
+        for (std::size_t i = 0; i < frames; ++i)
+        {
+            const bool is_second = i >= kFramesPerLap;
+            const auto& wall = is_second ? second : first;
+            const cv::Rect left(80 * static_cast<int>(i % kFramesPerLap) + (is_second ? 7 : 0),
+                                is_second ? 4 : 0,
+                                320,
+                                240);
+            const auto image = wall(left).clone();
+            mrpt::obs::CObservation::Ptr seen;
+            if (sensor == Sensor::stereo)
+                seen = stereo_pair(image, wall(left + cv::Point(kDisparity, 0)).clone());
+            else
+                seen = range_scan(image);
+            seen->timestamp = mrpt::Clock::fromDouble(static_cast<double>(i));
+            seen->sensorLabel = "CAMERA1";
+            change(*seen);
+            if (odometry) objects.push_back(reading(i));
+            objects.push_back(seen);
+        }
+        return objects;
+    }
+
+ private:
+    static mrpt::obs::CObservationOdometry::Ptr reading(std::size_t frame)
+    {
+        auto odometry = mrpt::obs::CObservationOdometry::Create();
+        odometry->sensorLabel = "ODOMETRY";
+        odometry->timestamp = mrpt::Clock::fromDouble(static_cast<double>(frame));
+        const double x = kStep * static_cast<double>(frame % kFramesPerLap);
+        odometry->odometry = {x + (frame >= kFramesPerLap ? kShift : 0), 0, 0};
+        return odometry;
+    }
+};
+
+class MetricMap : public ::testing::Test
+{
+ protected:
+    MetricMap() { fild::testing::write_text(path("run.ini"), kConfig); }
+
+    std::string path(const std::string& name) const { return folder_.path(name); }
+
+    void write(const WallDrive& drive) const
+    {
+        fild::testing::write_gz(path("run.rawlog"), drive.objects());
+    }
+
+    Finished run(const std::string& more = "") const
+    {
+        return fild::testing::run_command("'" RAWLOG_LOOP_CLOSURE "' --quiet --rawlog '" +
+                                          path("run.rawlog") + "' --config '" + path("run.ini") +
+                                          "' --output '" + path("out") + "' " + more);
+    }
+
+    void run_well(const std::string& more = "") const
+    {
+        const auto finished = run(more);
+        ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    }
+
+    std::string result(const std::string& name) const { return read_text(path("out/" + name)); }
+
+    bool has(const std::string& name) const { return fs::exists(path("out/" + name)); }
+
+    nlohmann::json map() const { return nlohmann::json::parse(result("summary.json"))["map"]; }
+
+    std::string notes() const { return map()["notes"].dump(); }
+
+    /** Rows of loops.csv by name of the column. */
+    std::vector<std::map<std::string, std::string>> loops() const
+    {
+        std::vector<std::map<std::string, std::string>> rows;
+        const auto lines = lines_of(result("loops.csv"));
+        const auto names = fields_of(lines.at(0));
+        for (std::size_t i = 1; i < lines.size(); ++i)
+        {
+            const auto fields = fields_of(lines[i]);
+            EXPECT_EQ(fields.size(), names.size());
+            rows.emplace_back();
+            for (std::size_t k = 0; k < fields.size(); ++k) rows.back()[names[k]] = fields[k];
+        }
+        return rows;
+    }
+
+ private:
+    static std::vector<std::string> fields_of(const std::string& line)
+    {
+        std::vector<std::string> fields(1);
+        for (const char c : line)
+            if (c == ',')
+                fields.emplace_back();
+            else
+                fields.back() += c;
+        return fields;
+    }
+
+    fild::testing::TemporaryFolder folder_;
+};
+
+TEST_F(MetricMap, IsMadeFromStereoPairsAndFromDepthImages)
+{
+    for (const auto sensor : {Sensor::stereo, Sensor::depth})
+    {
+        WallDrive drive;
+        drive.sensor = sensor;
+        write(drive);
+        run_well();
+        for (const auto& name : kMapFiles) EXPECT_TRUE(has(name)) << name;
+        ASSERT_EQ(loops().size(), kFramesPerLap);
+        for (const auto& loop : loops())
+        {
+            EXPECT_NEAR(std::stod(loop.at("x")), kShift, 0.03);
+            EXPECT_NEAR(std::stod(loop.at("y")), 0, 0.05);
+            EXPECT_NEAR(std::stod(loop.at("z")), -kDrop, 0.03);
+            EXPECT_NEAR(std::stod(loop.at("yaw_deg")), 0, 0.5);
+            EXPECT_GT(std::stod(loop.at("sigma_x")), 0);
+            EXPECT_EQ(loop.at("edge"), "used");
+            EXPECT_EQ(std::stod(loop.at("weight")), 1);
+            EXPECT_EQ(loop.at("depth_source"), sensor == Sensor::stereo ? "stereo" : "depth_image");
+        }
+        EXPECT_EQ(map()["trajectory_source"], "CObservationOdometry 'ODOMETRY'");
+        EXPECT_EQ(map()["loop_edges"], kFramesPerLap);
+        EXPECT_EQ(map()["nodes"], 2 * kFramesPerLap);
+    }
+}
+
+TEST_F(MetricMap, ComesBackThroughMrptsReaders)
+{
+    write(WallDrive());
+    run_well();
+    mrpt::graphs::CNetworkOfPoses3D graph;
+    graph.loadFromTextFile(path("out/poses.graph"));
+    EXPECT_EQ(graph.nodeCount(), 2 * kFramesPerLap);
+    EXPECT_EQ(graph.edgeCount(), 2 * kFramesPerLap - 1 + kFramesPerLap);
+    mrpt::maps::CSimpleMap keyframes;
+    ASSERT_TRUE(keyframes.loadFromFile(path("out/map.simplemap")));
+    EXPECT_EQ(keyframes.size(), 2 * kFramesPerLap);
+    EXPECT_EQ(lines_of(result("trajectory_optimized.tum")).size(), 2 * kFramesPerLap);
+
+    run_well("--set graph.graph_dimensions=2d --set graph.simple_map=false");
+    mrpt::graphs::CNetworkOfPoses2D planar;
+    planar.loadFromTextFile(path("out/poses.graph"));
+    EXPECT_EQ(planar.nodeCount(), 2 * kFramesPerLap);
+    EXPECT_FALSE(has("map.simplemap")) << "that of the run before is removed";
+
+    run_well("--set graph.trajectory_format=kitti");
+    EXPECT_EQ(lines_of(result("trajectory_optimized.kitti")).size(), 2 * kFramesPerLap);
+    EXPECT_FALSE(has("trajectory_optimized.tum"));
+}
+
+TEST_F(MetricMap, HasTheSameBytesAgainAndWithTwoThreads)
+{
+    WallDrive drive;
+    drive.odometry = false;
+    write(drive);
+    std::map<std::string, std::string> before;
+    for (const std::string threads : {"1", "1", "2"})
+    {
+        run_well("--set runtime.num_threads=" + threads);
+        for (const auto* name :
+             {"frames.csv", "loops.csv", "poses.graph", "poses.g2o", "trajectory_optimized.tum"})
+        {
+            const auto [found, is_new] = before.emplace(name, result(name));
+            EXPECT_TRUE(is_new || result(name) == found->second) << name;
+        }
+    }
+}
+
+TEST_F(MetricMap, ChangesNothingOfWhatTheDetectorSays)
+{
+    write(WallDrive());
+    const auto without_last_column = [&]
+    {
+        std::string text;
+        for (const auto& line : lines_of(result("frames.csv")))
+            text += line.substr(0, line.rfind(',')) + "\n";
+        return text;
+    };
+    run_well();
+    const auto with_poses = without_last_column();
+    run_well("--set relative_pose.enabled=false");
+    EXPECT_EQ(without_last_column(), with_poses);
+    EXPECT_EQ(map()["loops_withheld"]["not_enabled"], kFramesPerLap);
+    EXPECT_EQ(map()["depth_sources"]["none"], 2 * kFramesPerLap);
+}
+
+TEST_F(MetricMap, TakesLoopsAcrossABreakOfWhatTheImagesTell)
+{
+    WallDrive drive;
+    drive.odometry = false;
+    for (const auto sensor : {Sensor::stereo, Sensor::depth})
+    {
+        drive.sensor = sensor;
+        write(drive);
+        run_well();  // between the laps the robot is carried back: nothing in common
+        EXPECT_EQ(map()["trajectory"], "vision");
+        EXPECT_EQ(map()["resets"], 1);
+        EXPECT_EQ(map()["nodes"], 2 * kFramesPerLap);
+        EXPECT_EQ(map()["parts"], (std::vector<std::size_t>{2 * kFramesPerLap}));
+    }
+    drive.second_wall = true;
+    write(drive);
+    run_well();
+    EXPECT_EQ(map()["parts"], (std::vector<std::size_t>{kFramesPerLap, kFramesPerLap}));
+    EXPECT_THAT(notes(), HasSubstr("in 2 parts"));
+    mrpt::graphs::CNetworkOfPoses3D graph;
+    graph.loadFromTextFile(path("out/poses.graph"));
+    EXPECT_EQ(graph.nodeCount(), kFramesPerLap);
+}
+
+TEST_F(MetricMap, SaysThatTheCameraIsNotCalibrated)
+{
+    WallDrive drive;
+    drive.change = [](mrpt::obs::CObservation& seen)
+    {
+        auto& pair = dynamic_cast<mrpt::obs::CObservationStereoImages&>(seen);
+        pair.leftCamera = pair.rightCamera = mrpt::img::TCamera();
+    };
+    write(drive);
+    run_well();
+    EXPECT_EQ(map()["loops_withheld"]["not_calibrated"], kFramesPerLap);
+    EXPECT_EQ(map()["depth_defects"]["not_calibrated"], 2 * kFramesPerLap);
+    EXPECT_THAT(notes(), HasSubstr("camera_parameters"));
+    for (const auto& loop : loops())
+    {
+        EXPECT_EQ(loop.at("edge"), "not_calibrated");
+        EXPECT_EQ(loop.at("x"), "");
+        EXPECT_EQ(loop.at("weight"), "");
+    }
+    EXPECT_TRUE(has("poses.graph")) << "the odometry is there all the same";
+    run_well("--set 'input.camera_parameters=300 300 159.5 119.5 320 240'");
+    EXPECT_EQ(map()["loop_edges"], kFramesPerLap);
+}
+
+TEST_F(MetricMap, BearsBaselinesThatCannotBe)
+{
+    for (const double baseline : {0.0, -kBaseline})
+    {
+        WallDrive drive;
+        drive.odometry = false;
+        drive.change = [&](mrpt::obs::CObservation& seen)
+        {
+            dynamic_cast<mrpt::obs::CObservationStereoImages&>(seen).rightCameraPose =
+                mrpt::poses::CPose3DQuat(mrpt::poses::CPose3D(baseline, 0, 0, 0, 0, 0));
+        };
+        write(drive);
+        run_well();
+        EXPECT_EQ(map()["depth_defects"]["unusable_baseline"], 2 * kFramesPerLap);
+        EXPECT_EQ(map()["loops_withheld"]["no_odometry"], kFramesPerLap);
+        EXPECT_THAT(notes(), HasSubstr("no map"));
+        for (const auto& name : kMapFiles) EXPECT_FALSE(has(name)) << name;
+    }
+}
+
+TEST_F(MetricMap, BearsDepthImagesWithoutDepth)
+{
+    WallDrive drive;
+    drive.sensor = Sensor::depth;
+    drive.odometry = false;
+    drive.change = [](mrpt::obs::CObservation& seen)
+    { dynamic_cast<mrpt::obs::CObservation3DRangeScan&>(seen).rangeImage.fill(0); };
+    write(drive);
+    run_well();
+    EXPECT_EQ(loops().size(), kFramesPerLap);
+    EXPECT_EQ(map()["trajectory"], "none");
+    EXPECT_EQ(map()["loops_withheld"]["no_odometry"], kFramesPerLap);
+}
+
+TEST_F(MetricMap, IsASingleKeyframeOrNone)
+{
+    write(WallDrive());
+    run_well();
+    ASSERT_TRUE(has("poses.graph"));
+    run_well("--max-frames 1");
+    EXPECT_FALSE(has("poses.graph")) << "that of the run before is removed";
+    EXPECT_TRUE(has("map.simplemap"));
+    EXPECT_EQ(map()["nodes"], 1);
+    EXPECT_THAT(notes(), HasSubstr("single keyframe"));
+}
+
+TEST_F(MetricMap, HasNoKittiFileWhereFramesHaveNoPose)
+{
+    WallDrive drive;
+    auto objects = drive.objects();
+    for (const int reading : {4, 2, 0}) objects.erase(objects.begin() + reading);
+    fild::testing::write_gz(path("run.rawlog"), objects);
+    run_well("--set graph.trajectory_format=kitti");
+    EXPECT_FALSE(has("trajectory_input.kitti"));
+    EXPECT_TRUE(has("poses.graph"));
+    EXPECT_THAT(notes(), HasSubstr("trajectory_format = tum"));
+    EXPECT_GE(map()["loops_withheld"]["frame_without_pose"], 1);
+    EXPECT_GE(map()["frames_without_pose"], 1);
+}
+
+/** A drive of two laps round a small block of the synthetic town. */
+class TownMap : public MetricMap
+{
+ protected:
+    void draw(fild::SensorKind sensor, bool odometry) const
+    {
+        fild::SyntheticRequest request;
+        request.rawlog_path = path("run.rawlog");
+        request.options = fild::options_of(fild::Preset::tiny);
+        request.options.sensors.sensor = sensor;
+        request.options.route.frames_per_second = odometry ? 1.5 : 3;
+        if (!odometry)
+        {
+            request.options.sensors.odometry = fild::OdometryKind::none;
+            request.options.sensors.width = 640;
+            request.options.sensors.height = 480;
+            request.options.route.max_frames = 45;  // round two corners
+        }
+        fild::Town town(request.options.town);
+        write_synthetic_recording(request,
+                                  town.grid(),
+                                  [&](const auto& camera, const auto& pose, const auto& conditions)
+                                  { return town.draw(camera, pose, conditions); },
+                                  {});
+    }
+
+    std::size_t frames() const { return lines_of(result("frames.csv")).size() - 1; }
+};
+
+TEST_F(TownMap, OfAStereoCameraIsTakenByGraphSlam)
+{
+    draw(fild::SensorKind::stereo, true);
+    run_well();
+    EXPECT_GE(map()["loop_edges"].get<std::size_t>(), 10U);
+    EXPECT_EQ(map()["parts"].size(), 1U);
+    EXPECT_LT(map()["chi2_after"].get<double>(), map()["chi2_before"].get<double>());
+    if (fild::testing::run_command("command -v graph-slam").exit_code != 0)
+        GTEST_SKIP() << "no graph-slam; it is in Debian's mrpt-apps";
+    const auto finished =
+        fild::testing::run_command("graph-slam --3d --levmarq -i '" + path("out/poses.graph") +
+                                   "' -o '" + path("slam.graph") + "'");
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    mrpt::graphs::CNetworkOfPoses3D graph;
+    graph.loadFromTextFile(path("slam.graph"));
+    EXPECT_EQ(graph.nodeCount(), map()["nodes"].get<std::size_t>());
+}
+
+TEST_F(TownMap, OfADepthCameraNeedsNoOdometry)
+{
+    draw(fild::SensorKind::rgbd, false);
+    run_well();
+    EXPECT_EQ(map()["trajectory"], "vision");
+    EXPECT_EQ(map()["resets"], 0);
+    EXPECT_EQ(map()["nodes"], frames());
+    EXPECT_EQ(map()["parts"], (std::vector<std::size_t>{frames()}));
+    EXPECT_EQ(map()["odometry_edges"], frames() - 1);
+}
+
+}  // namespace
