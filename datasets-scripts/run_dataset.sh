@@ -101,6 +101,7 @@ prepare_apps() {
     return
   fi
   "$scripts/install-deps.sh"
+  "$scripts/get-charts.sh"
   (
     cd "$repository" || exit
     cmake --preset release > /dev/null

@@ -9,8 +9,9 @@ step() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
 step "packages"
 datasets-scripts/install-deps.sh --tests
 
-step "model"
+step "model and charts"
 datasets-scripts/get-model.sh
+datasets-scripts/get-charts.sh
 
 step "formatting"
 git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run --Werror
