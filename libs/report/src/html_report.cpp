@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/report/html_report.h"
 
+#include "comparison.h"
+#include "data_url.h"
+#include "report_pictures.h"
 #include "run_folder.h"
 #include "text_file.h"
 
+#include <filesystem>
 #include <map>
 #include <string_view>
 
@@ -13,12 +17,29 @@ namespace fild
 extern const std::string_view kReportHtml;
 extern const std::string_view kReportCss;
 extern const std::string_view kReportJs;
+extern const std::string_view kComparisonHtml;
+extern const std::string_view kComparisonJs;
+extern const std::string_view kCommonJs;
 extern const std::string_view kChartsJs;
 extern const std::string_view kChartsLicence;
 extern const std::string_view kChartsNotice;
 
 namespace
 {
+/** The text with what means something in HTML escaped. */
+std::string for_html(std::string_view text)
+{
+    std::string safe;
+    for (const char c : text)
+        if (c == '<')
+            safe += "&lt;";
+        else if (c == '&')
+            safe += "&amp;";
+        else
+            safe += c;
+    return safe;
+}
+
 /** JSON that may stand in a script element: nothing in it ends the element. */
 std::string for_script(const nlohmann::ordered_json& json)
 {
@@ -54,21 +75,45 @@ std::string filled_in(std::string_view text, const std::map<std::string, std::st
     }
     return filled;
 }
+
+/** Writes a page that needs nothing but itself. */
+void write_page(std::string_view html,
+                std::string_view script,
+                const nlohmann::ordered_json& data,
+                const std::filesystem::path& path)
+{
+    write_text_file(path,
+                    filled_in(html,
+                              {{"STYLE", std::string(kReportCss)},
+                               {"DATA", for_script(data)},
+                               {"CHARTS", std::string(kChartsJs)},
+                               {"LICENCE", for_html(kChartsLicence)},
+                               {"NOTICE", for_html(kChartsNotice)},
+                               {"COMMON", std::string(kCommonJs)},
+                               {"SCRIPT", std::string(script)}}));
+}
 }  // namespace
 
 void write_html_report(const std::string& folder,
                        const TReportOptions& options,
                        const std::optional<ReportTruth>& truth)
 {
-    const auto run = read_run_folder(folder, options, truth);
-    write_text_file(std::filesystem::path(folder) / "report.html",
-                    filled_in(kReportHtml,
-                              {{"STYLE", std::string(kReportCss)},
-                               {"DATA", for_script(run)},
-                               {"CHARTS", std::string(kChartsJs)},
-                               {"LICENCE", std::string(kChartsLicence)},
-                               {"NOTICE", std::string(kChartsNotice)},
-                               {"SCRIPT", std::string(kReportJs)}}));
+    const auto run = read_run_folder(folder);
+    auto json = run_json(run, truth);
+    json["pictures"] = pictures_json(
+        folder, frames_to_show(folder, run.frames, options), options.picture_width_px);
+    json["map_pictures"] = map_pictures_json(folder);
+    const auto similarity = folder + "/similarity.png";
+    if (std::filesystem::exists(similarity)) json["similarity"] = data_url_of_png(similarity);
+    write_page(kReportHtml, kReportJs, json, std::filesystem::path(folder) / "report.html");
+}
+
+void write_html_comparison(const ComparedRun& first,
+                           const ComparedRun& second,
+                           const TReportOptions& options,
+                           const std::string& path)
+{
+    write_page(kComparisonHtml, kComparisonJs, comparison_json(first, second, options), path);
 }
 
 }  // namespace fild

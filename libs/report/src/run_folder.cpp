@@ -2,13 +2,12 @@
 #include "run_folder.h"
 
 #include "csv_table.h"
-#include "data_url.h"
 #include "fild/evaluation/frames_csv.h"
 #include "fild/evaluation/metric.h"
-#include "fild/report/evaluation_report.h"
+#include "loop_edges.h"
+#include "report_pictures.h"
+#include "rounded.h"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -20,13 +19,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-/** With so many decimals: a report is read by people, and shorter so. */
-double rounded(double value, int decimals)
-{
-    const double scale = std::pow(10, decimals);
-    return std::round(value * scale) / scale;
-}
 
 Json read_summary(const std::string& path)
 {
@@ -76,128 +68,37 @@ Json frames_json(const std::vector<FrameVerdict>& frames)
     return json;
 }
 
-/** Length of the vector of three columns, if they are filled. */
-std::optional<double> length_of(const CsvTable& table,
-                                std::size_t row,
-                                const std::array<const char*, 3>& columns)
+/** x, y, z, metres, for each frame; null where a frame has no pose. Empty without any pose. */
+Json positions_json(const PosesOfFrames& poses)
 {
-    double squares = 0;
-    for (const auto* column : columns)
-    {
-        const auto value = table.number(row, column);
-        if (!value) return std::nullopt;
-        squares += *value * *value;
-    }
-    return std::sqrt(squares);
-}
-
-Json loops_json(const std::vector<FrameVerdict>& frames, const std::string& loops_csv)
-{
-    Json loops = Json::array();
-    for (const auto& frame : frames)
-        if (frame.accepted())
-            loops.push_back({{"query", to_index(frame.frame)},
-                             {"candidate", to_index(frame.candidate->frame)},
-                             {"inliers", frame.inliers}});
-    if (!fs::exists(loops_csv)) return loops;
-    const CsvTable table(loops_csv);
-    if (table.rows() != loops.size())
-        throw std::runtime_error(loops_csv + " does not have the loop closures of frames.csv");
-    for (std::size_t row = 0; row < table.rows(); ++row)
-    {
-        if (const auto weight = table.number(row, "weight")) loops[row]["weight"] = *weight;
-        if (const auto edge = table.text(row, "edge"); !edge.empty()) loops[row]["edge"] = edge;
-        if (const auto sigma = length_of(table, row, {"sigma_x", "sigma_y", "sigma_z"}))
-            loops[row]["translation_sd_m"] = rounded(*sigma, 5);
-    }
-    return loops;
-}
-
-/** `count` of the indices below `size`, evenly, the first and the last among them. */
-std::vector<std::size_t> spread(std::size_t count, std::size_t size)
-{
-    std::vector<std::size_t> chosen;
-    count = std::min(count, size);
-    for (std::size_t i = 0; i < count; ++i)
-        chosen.push_back(count == 1 ? 0 : i * (size - 1) / (count - 1));
-    return chosen;
-}
-
-/** Match pictures that are there: those of rejected pairs and of the weakest loops for certain. */
-Json pictures_json(const std::string& folder,
-                   const std::vector<FrameVerdict>& frames,
-                   const TReportOptions& options)
-{
-    std::vector<const FrameVerdict*> accepted;
-    std::vector<const FrameVerdict*> chosen;
-    for (const auto& frame : frames)
-        if (frame.candidate && !match_picture_of(folder, frame).empty())
-            (frame.accepted() ? accepted : chosen).push_back(&frame);
-    std::stable_sort(accepted.begin(),
-                     accepted.end(),
-                     [](const auto* a, const auto* b) { return a->support < b->support; });
-    const auto limit = static_cast<std::size_t>(options.max_pictures);
-    chosen.resize(std::min(chosen.size(), limit));
-    for (const auto i : spread(limit - chosen.size(), accepted.size()))
-        chosen.push_back(accepted[i]);
-    Json pictures = Json::object();
-    for (const auto* frame : chosen)
-    {
-        const auto key = std::to_string(to_index(frame->frame)) + "_" +
-                         std::to_string(to_index(frame->candidate->frame));
-        pictures[key] = data_url_of_picture(folder + "/" + match_picture_of(folder, *frame),
-                                            options.picture_width_px);
-    }
-    return pictures;
-}
-
-/** x, y, z and, where a camera frame was taken there, its number. */
-Json trajectory_json(const std::vector<TimedPose>& poses, const std::vector<FrameVerdict>& frames)
-{
-    std::map<double, std::size_t> frame_at;  // microseconds are what the files hold
-    for (const auto& frame : frames)
-        frame_at.emplace(std::round(frame.timestamp * 1e5), to_index(frame.frame));
     Json json = Json::array();
     for (const auto& pose : poses)
     {
-        Json point = Json::array();
-        for (int axis = 0; axis < 3; ++axis) point.push_back(rounded(pose.pose.position[axis], 3));
-        const auto frame = frame_at.find(std::round(pose.timestamp * 1e5));
-        point.push_back(frame == frame_at.end() ? Json() : Json(frame->second));
+        Json point;
+        for (int axis = 0; pose && axis < 3; ++axis)
+            point.push_back(rounded(pose->position[axis], 3));
         json.push_back(point);
     }
     return json;
 }
 
-Json trajectories_json(const std::string& folder,
-                       const std::vector<FrameVerdict>& frames,
-                       const std::optional<ReportTruth>& truth)
+/** `input`, `optimized` and `truth`, those that there are; laid over the truth when it is known. */
+std::map<std::string, PosesOfFrames> read_trajectories(const RunFolder& run,
+                                                       const std::optional<ReportTruth>& truth)
 {
-    Json json = Json::object();
-    const bool has_poses = truth && !truth->poses.empty();
+    std::map<std::string, PosesOfFrames> trajectories;
+    const bool has_truth = truth && !truth->poses.empty();
     for (const std::string name : {"input", "optimized"})
     {
-        const auto path = folder + "/trajectory_" + name + ".tum";
+        const auto path = run.path + "/trajectory_" + name + ".tum";
         if (!fs::exists(path)) continue;
         auto poses = read_tum_trajectory(path);
-        if (has_poses) poses = aligned_with(poses, truth->poses);
-        json[name] = trajectory_json(poses, frames);
+        if (has_truth) poses = aligned_with(poses, truth->poses);
+        trajectories[name] = poses_of_frames(poses, run.frames);
     }
-    if (!has_poses) return json;
-    std::vector<TimedPose> poses;
-    for (const auto& frame : truth->poses)
-        if (frame.pose) poses.push_back({frame.timestamp, *frame.pose});
-    json["truth"] = trajectory_json(poses, frames);
-    return json;
-}
-
-Json map_pictures_json(const std::string& folder)
-{
-    Json json = Json::object();
-    for (const auto& [name, title] : {std::pair{"map_top.png", "from above"},
-                                      std::pair{"map_perspective.png", "in perspective"}})
-        if (fs::exists(folder + "/" + name)) json[title] = data_url_of_png(folder + "/" + name);
-    return json;
+    if (!has_truth) return trajectories;
+    for (const auto& frame : truth->poses) trajectories["truth"].push_back(frame.pose);
+    return trajectories;
 }
 
 /** Columns of costs.csv, at most kMostRows rows of it. */
@@ -233,7 +134,7 @@ std::vector<std::string> remarks_on(const Json& summary, const std::optional<Rep
 {
     std::vector<std::string> remarks;
     if (const auto ended = summary.value("ended_early", ""); !ended.empty())
-        remarks.push_back("The run did not reach the end of the rawlog: " + ended + ".");
+        remarks.push_back("This run is not complete: " + ended + ".");
     if (!truth) return remarks;
     remarks.push_back("Ground truth: " + truth->description.file + ", " +
                       truth->description.content + "; " + to_word(truth->description.protocol) +
@@ -244,32 +145,41 @@ std::vector<std::string> remarks_on(const Json& summary, const std::optional<Rep
 
 std::string why_no_map(const Json& summary)
 {
-    if (summary.contains("graph") && summary["graph"].contains("notes"))
-        for (const auto& note : summary["graph"]["notes"]) return note.get<std::string>();
-    return "no trajectory: the recording has no odometry, and its images no depth";
+    if (auto ended = summary.value("ended_early", ""); !ended.empty()) return ended;
+    for (const auto& note : summary.value("map", Json::object()).value("notes", Json::array()))
+        if (auto text = note.get<std::string>(); text.rfind("no map", 0) == 0) return text;
+    return "this run has no trajectory_input.tum and no trajectory_optimized.tum";
 }
 }  // namespace
 
-Json read_run_folder(const std::string& folder,
-                     const TReportOptions& options,
-                     const std::optional<ReportTruth>& truth)
+RunFolder read_run_folder(const std::string& path)
 {
-    const auto summary = read_summary(folder + "/summary.json");
-    const auto frames = read_frames_csv(folder + "/frames.csv");
-    Json run;
-    run["summary"] = summary;
-    run["remarks"] = remarks_on(summary, truth);
-    run["frames"] = frames_json(frames);
-    run["loops"] = loops_json(frames, folder + "/loops.csv");
-    run["pictures"] = pictures_json(folder, frames, options);
-    run["trajectories"] = trajectories_json(folder, frames, truth);
-    run["map_pictures"] = map_pictures_json(folder);
-    run["no_map_reason"] = why_no_map(summary);
-    if (fs::exists(folder + "/similarity.png"))
-        run["similarity"] = data_url_of_png(folder + "/similarity.png");
-    if (fs::exists(folder + "/costs.csv")) run["costs"] = costs_json(folder + "/costs.csv");
-    if (truth) run["evaluation"] = evaluation_json(truth->evaluation);
+    RunFolder run{
+        path, read_summary(path + "/summary.json"), read_frames_csv(path + "/frames.csv")};
+    const auto& counts = run.summary.value("frames", Json::object());
+    const auto expected = counts.value("camera_frames", run.frames.size());
+    if (expected != run.frames.size())
+        throw std::runtime_error(path + "/frames.csv has " + std::to_string(run.frames.size()) +
+                                 " frames, summary.json beside it " + std::to_string(expected) +
+                                 "; is it cut off?");
     return run;
+}
+
+Json run_json(const RunFolder& run, const std::optional<ReportTruth>& truth)
+{
+    const auto trajectories = read_trajectories(run, truth);
+    Json json;
+    json["summary"] = run.summary;
+    json["remarks"] = remarks_on(run.summary, truth);
+    json["frames"] = frames_json(run.frames);
+    json["loops"] = loops_json(run.frames, run.path + "/loops.csv", trajectories);
+    json["trajectories"] = Json::object();
+    for (const auto& [name, poses] : trajectories)
+        json["trajectories"][name] = positions_json(poses);
+    json["no_map_reason"] = why_no_map(run.summary);
+    if (fs::exists(run.path + "/costs.csv")) json["costs"] = costs_json(run.path + "/costs.csv");
+    if (truth) json["evaluation"] = evaluation_json(truth->evaluation);
+    return json;
 }
 
 }  // namespace fild
