@@ -32,6 +32,6 @@ ctest --preset dev --parallel 2
 step "build and unit tests (preset asan)"
 cmake --preset asan > /dev/null
 cmake --build --preset asan
-ctest --preset asan --parallel 2 --label-exclude dataset
+ctest --preset asan --parallel 2 --label-exclude "dataset|browser"
 
 step "done"

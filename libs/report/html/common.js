@@ -23,6 +23,8 @@ const number = (value, digits = 0) => known(value)
   ? value.toLocaleString('en', {minimumFractionDigits: digits, maximumFractionDigits: digits}) : '-';
 const share = value => number(value, 3);
 const bytes = value => value >= 1e9 ? number(value / 1e9, 2) + ' GB' : number(value / 1e6, 1) + ' MB';
+const plural = (count, thing) => count === 1 ? thing : thing + 's';
+const counting = (count, thing) => `${number(count)} ${plural(count, thing)}`;
 const words = name => name.replaceAll('_', ' ');
 const metres = value => number(value, 2) + ' m';
 /** Metres in the unit that suits them, three digits. */
@@ -75,13 +77,24 @@ function viridisAt(part) {
 /** Draws a chart, again whenever light changes to dark. `options` is called each time. */
 function draw(id, options) {
   const chart = echarts.init(byId(id), null, {renderer: 'canvas'});
-  const redraw = () => chart.setOption(withDefaults(options(chart)), true);
+  const redraw = () => chart.setOption(withDefaults(chart, options(chart)), true);
   drawings.push({chart, redraw});
   redraw();
   return chart;
 }
 
-function withDefaults(options) {
+/** Room for a legend above a chart, pixels: as many lines as its names need. */
+function legendHeight(chart, names) {
+  let [lines, used] = [1, 0];
+  for (const name of new Set(names)) {
+    const width = 32 + 7.2 * name.length;
+    if (used > 0 && used + width > chart.getWidth()) [lines, used] = [lines + 1, 0];
+    used += width;
+  }
+  return 22 * lines;
+}
+
+function withDefaults(chart, options) {
   const text = {color: colour('faint'), fontSize: 13};
   const axis = {
     axisLabel: {...text, hideOverlap: true},
@@ -91,12 +104,14 @@ function withDefaults(options) {
   };
   const styled = axes => [].concat(axes || []).map(one =>
     ({...axis, ...one, axisLabel: {...axis.axisLabel, ...one.axisLabel}}));
+  const top = options.legend ? legendHeight(chart, options.series.map(({name}) => name)) : 0;
   return {
     animation: false,
     color: palette,
     aria: {enabled: true},
     textStyle: {fontFamily: getComputedStyle(document.body).fontFamily, fontSize: 13, color: colour('ink')},
     ...options,
+    grid: {...options.grid, top: options.grid.top + top},
     ...(options.xAxis ? {xAxis: styled(options.xAxis), yAxis: styled(options.yAxis)} : {}),
     tooltip: {
       backgroundColor: colour('page'),
@@ -106,23 +121,27 @@ function withDefaults(options) {
       ...options.tooltip,
     },
     legend: options.legend
-      ? {textStyle: {color: colour('ink'), fontSize: 13}, type: 'scroll', top: 0, itemWidth: 14, itemHeight: 10,
-         pageTextStyle: {color: colour('ink')}, ...options.legend} : undefined,
+      ? {textStyle: {color: colour('ink'), fontSize: 13}, top: 0, itemWidth: 14, itemHeight: 10, ...options.legend} : undefined,
   };
 }
 
 const frameAxis = frames => ({type: 'value', name: 'frame', nameLocation: 'middle', nameGap: 26, min: 0, minInterval: 1,
                               max: Math.max(1, frames - 1), splitLine: {show: false}, axisLabel: {showMaxLabel: false}});
-const plotGrid = {left: 64, right: 24, top: 44, bottom: 48};
+// `top` is counted from below the legend.
+const plotGrid = {left: 64, right: 24, top: 24, bottom: 48};
+const matrixGrid = {left: 64, right: 20, top: 16, bottom: 48};
+const mapGrid = {left: 60, right: 30, top: 20, bottom: 60};
 const zoom = [{type: 'inside', xAxisIndex: 0, filterMode: 'none'}];
 const mapZoom = [{type: 'inside', xAxisIndex: 0, filterMode: 'none'}, {type: 'inside', yAxisIndex: 0, filterMode: 'none'}];
 const roundLabels = {showMinLabel: false, showMaxLabel: false, formatter: value => number(value, 0)};
 
 /** Both axes of a map of these positions, so that a metre is as long in x as in y. */
-function mapAxes(chart, positions) {
+function mapAxes(chart, positions, series) {
   const range = axis => positions.reduce(([a, b], p) => [Math.min(a, p[axis]), Math.max(b, p[axis])], [Infinity, -Infinity]);
   const [[x0, x1], [y0, y1]] = [range(0), range(1)];
-  const width = Math.max(50, chart.getWidth() - 90), height = Math.max(50, chart.getHeight() - 110);
+  const top = mapGrid.top + legendHeight(chart, series.map(({name}) => name));
+  const width = Math.max(50, chart.getWidth() - mapGrid.left - mapGrid.right);
+  const height = Math.max(50, chart.getHeight() - top - mapGrid.bottom);
   const scale = 1.06 * Math.max((x1 - x0) / width, (y1 - y0) / height, 1e-3);
   const axis = (name, nameGap, centre, length) => ({
     type: 'value', name, nameGap, nameLocation: 'middle', axisLabel: roundLabels,
@@ -130,11 +149,12 @@ function mapAxes(chart, positions) {
   return {xAxis: axis('x, m', 28, (x0 + x1) / 2, width), yAxis: axis('y, m', 42, (y0 + y1) / 2, height)};
 }
 
-/** Keeps a metre as long in x as in y when the window changes. */
-function keepScale(chart, positions) {
-  window.addEventListener('resize', () => {
-    const {xAxis, yAxis} = mapAxes(chart, positions);
-    chart.setOption({xAxis: {min: xAxis.min, max: xAxis.max}, yAxis: {min: yAxis.min, max: yAxis.max}});
+/** A map of these positions, drawn anew when the window changes. */
+function drawMapOf(positions, makeSeries, options) {
+  return draw('map-chart', chart => {
+    const series = makeSeries();
+    return {grid: mapGrid, legend: {icon: 'roundRect'}, dataZoom: mapZoom, series, ...options,
+            ...mapAxes(chart, positions, series)};
   });
 }
 
@@ -142,7 +162,12 @@ const trajectoryLine = (name, positions, style) => ({
   name, type: 'line', data: positions.map(p => known(p) ? [p[0], p[1]] : ['-', '-']), showSymbol: false, silent: true, z: 2,
   lineStyle: {width: 2, ...style}, itemStyle: {color: style.color}});
 
-window.addEventListener('resize', () => drawings.forEach(({chart}) => chart.resize()));
+let drawnWidth = window.innerWidth;
+window.addEventListener('resize', () => {
+  if (window.innerWidth === drawnWidth) return;  // a phone's address bar comes and goes
+  drawnWidth = window.innerWidth;
+  drawings.forEach(({chart, redraw}) => { chart.resize(); redraw(); });
+});
 matchMedia('(prefers-color-scheme: dark)')
   .addEventListener('change', () => drawings.forEach(({redraw}) => redraw()));
 
@@ -156,9 +181,9 @@ const stageColour = stage => palette[frameStages.indexOf(stage)];
 function drawStages(id, bars) {
   const stages = frameStages.filter(stage => bars.some(([, summary]) => summary.stage_times_ms[stage]));
   const mean = (summary, stage) => (summary.stage_times_ms[stage] || {total: 0}).total / Math.max(1, summary.frames.camera_frames);
-  byId(id).style.height = 110 + 44 * bars.length + 'px';
+  byId(id).style.height = (window.innerWidth < 640 ? 190 : 110) + 44 * bars.length + 'px';
   draw(id, () => ({
-    grid: {left: 16, right: 24, top: 44, bottom: 44, containLabel: true},
+    grid: {left: 16, right: 24, top: 12, bottom: 44, containLabel: true},
     legend: {}, tooltip: {trigger: 'item', valueFormatter: value => number(value, 2) + ' ms'},
     xAxis: {type: 'value', name: 'ms a frame, on average', nameLocation: 'middle', nameGap: 26},
     yAxis: {type: 'category', data: bars.map(([name]) => name), axisTick: {show: false}, inverse: true},

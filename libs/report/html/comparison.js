@@ -11,7 +11,9 @@ function fillHead() {
   byId('title').textContent = `${names[0]} and ${names[1]}`;
   byId('subtitle').textContent = `Two runs over ${[...new Set(runs.map(run => run.summary.rawlog))].join(' and ')}`;
   const counts = runs.map(frameCountOf);
-  const remarks = runs.flatMap((run, i) => run.remarks.map(remark => `${names[i]}: ${remark}`));
+  const ofBoth = runs[0].remarks.filter(remark => runs[1].remarks.includes(remark));
+  const remarks = ofBoth.concat(runs.flatMap((run, i) =>
+    run.remarks.filter(remark => !ofBoth.includes(remark)).map(remark => `${names[i]}: ${remark}`)));
   if (counts[0] !== counts[1])
     remarks.push(`${names[0]} has ${number(counts[0])} frames, ${names[1]} ${number(counts[1])}.`);
   for (const remark of remarks) byId('remarks').append(element('p', {class: 'note'}, remark));
@@ -20,6 +22,9 @@ function fillHead() {
 }
 
 // ---- Numbers and options ----------------------------------------------------------------------
+
+/** Numbers of the pose graph; none when there is no graph. */
+const graphOf = run => (run.summary.map || {}).nodes ? run.summary.map : {};
 
 /** Name, the number of a run (undefined: it has none), and how it is written. */
 const metrics = [
@@ -30,9 +35,9 @@ const metrics = [
   ['wrong loop closures', run => (run.evaluation || {}).wrong, number],
   ['trajectory error (ATE) before', run => (run.evaluation || {}).ate_input_m, metres],
   ['trajectory error (ATE) after', run => (run.evaluation || {}).ate_optimized_m, metres],
-  ['keyframes', run => (run.summary.map || {}).nodes, number],
-  ['loop edges', run => (run.summary.map || {}).loop_edges, number],
-  ['chi2 after optimisation', run => (run.summary.map || {}).chi2_after, large],
+  ['keyframes', run => graphOf(run).nodes, number],
+  ['loop edges', run => graphOf(run).loop_edges, number],
+  ['chi2 after optimisation', run => graphOf(run).chi2_after, large],
   ['time of a frame, mean', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).mean, value => number(value, 1) + ' ms'],
   ['time of a frame, 95 % below', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).p95, value => number(value, 1) + ' ms'],
   ['time of the whole run', run => run.summary.wall_seconds, clock],
@@ -67,7 +72,7 @@ function fillOptions() {
     .map(key => [key, ...all.map(options => options.has(key) ? options.get(key) || '(empty)' : '(not there)')]);
   const panel = byId('differing-options');
   if (!rows.length) return say(panel, 'none: both runs had the same options, versions and model');
-  panel.append(element('div', {class: 'scroll'}, element('table', {}, ...tableOf(['', ...names], rows))));
+  panel.append(element('div', {class: 'scroll'}, element('table', {class: 'differences'}, ...tableOf(['', ...names], rows))));
 }
 
 // ---- Loop closures ----------------------------------------------------------------------------
@@ -82,7 +87,7 @@ function drawLoops() {
     name: `${name} (${loops.length})`, type: 'scatter', symbol, symbolSize: 7, itemStyle: {color: fill},
     data: loops.map(loop => ({value: [loop.candidate, loop.query], run, query: loop.query}))});
   draw('loops-chart', () => ({
-    grid: {left: 64, right: 20, top: 40, bottom: 48},
+    grid: matrixGrid,
     legend: {}, tooltip: {formatter: item => captionOf(item.data.run, item.data.query)},
     xAxis: {...frameAxis(frameCount), name: 'earlier frame'},
     yAxis: {...frameAxis(frameCount), name: 'frame', nameGap: 44, inverse: true},
@@ -122,13 +127,9 @@ function drawMap() {
   if (!lines.length) return say(byId('map-chart'), runs[0].no_map_reason);
   const truth = runs[0].trajectories.truth || runs[1].trajectories.truth;
   const all = [...lines.map(([, positions]) => positions), truth || []].flat().filter(known);
-  const chart = draw('map-chart', drawn => ({
-    grid: {left: 60, right: 30, top: 50, bottom: 60}, legend: {}, dataZoom: mapZoom,
-    series: [...(truth ? [trajectoryLine('ground truth', truth, {color: colour('faint'), type: 'dotted'})] : []),
-             ...lines.map(line => trajectoryLine(...line))],
-    ...mapAxes(drawn, all),
-  }));
-  keepScale(chart, all);
+  drawMapOf(all, () => [
+    ...(truth ? [trajectoryLine('ground truth', truth, {color: colour('faint'), type: 'dotted'})] : []),
+    ...lines.map(line => trajectoryLine(...line))]);
 }
 
 fillHead();

@@ -17,11 +17,11 @@ function fillHeadline() {
   const name = baseName(summary.rawlog);
   document.title = name + ' - mrpt-fild';
   byId('title').textContent = name;
-  byId('subtitle').textContent = `${summary.rawlog}, ${number(frameCount)} camera frame${frameCount === 1 ? '' : 's'}`
+  byId('subtitle').textContent = `${summary.rawlog}, ${counting(frameCount, 'camera frame')}`
     + (frameCount > 1 ? ` in ${clock(secondsOf(frameCount - 1))}` : '');
   const cards = [
-    card(number(frameCount), 'camera frames'),
-    card(number(run.loops.length), 'loop closures', 'frames that were recognised as a return'),
+    card(number(frameCount), plural(frameCount, 'camera frame')),
+    card(number(run.loops.length), plural(run.loops.length, 'loop closure'), 'frames that were recognised as a return'),
   ];
   const errors = run.evaluation || {};
   const ate = 'Absolute trajectory error (ATE): root mean square distance of the positions from the true ones, after '
@@ -88,20 +88,12 @@ function fillMap() {
       element('figure', {}, element('img', {src: picture, alt: 'map, ' + title}), element('figcaption', {}, title)));
   const positions = Object.values(run.trajectories).flat().filter(known);
   if (!pictures.length && positions.length) say(byId('map-pictures'), 'this run has no map_top.png and no map_perspective.png');
-  if (!positions.length) {
+  if (!Object.values(run.trajectories).some(trajectory => trajectory.filter(known).length > 1)) {
     for (const id of ['map-title', 'map-hint']) byId(id).remove();
-    return say(byId('map-chart'), run.no_map_reason);
+    return say(byId('map-chart'), positions.length ? 'a single position makes no way to draw' : run.no_map_reason);
   }
-  const chart = draw('map-chart', drawn => ({
-    grid: {left: 60, right: 30, top: 50, bottom: 60},
-    legend: {icon: 'roundRect', selected: {[rejectedPairs]: false}},
-    tooltip: {trigger: 'item'},
-    dataZoom: mapZoom,
-    series: mapSeries(),
-    ...mapAxes(drawn, positions),
-  }));
-  chart.on('click', item => { if (known(item.data?.query)) pin(item.data.query); });
-  keepScale(chart, positions);
+  drawMapOf(positions, mapSeries, {legend: {icon: 'roundRect', selected: {[rejectedPairs]: false}}, tooltip: {trigger: 'item'}})
+    .on('click', item => { if (known(item.data?.query)) pin(item.data.query); });
 }
 
 const rejectedPairs = 'rejected pairs';
@@ -115,7 +107,7 @@ function loopTooltip(query) {
 function mapSeries() {
   const lines = [['truth', 'ground truth', {color: colour('faint'), type: 'dotted'}],
                  ['input', 'before optimisation', {color: '#d55e00', type: 'dashed'}],
-                 ['optimized', 'after optimisation', {color: '#0072b2', type: 'solid'}]];
+                 ['optimized', 'after optimisation', {color: colour('accent'), type: 'solid'}]];
   return [
     ...lines.filter(([name]) => run.trajectories[name])
       .map(([name, title, style]) => trajectoryLine(title, run.trajectories[name], style)),
@@ -169,7 +161,7 @@ function acceptedAndRejected(column) {
     name, type: 'scatter', symbol, symbolSize: 5, itemStyle: {color: fill},
     data: all.filter(({frame}) => (verdictOf(run, frame) === 'accepted') === wanted),
   });
-  return [series('rejected', '#e69f00', 'triangle', false), series('accepted', '#0072b2', 'circle', true)];
+  return [series('rejected', '#e69f00', 'triangle', false), series('accepted', colour('accent'), 'circle', true)];
 }
 
 function drawOverFrames(id, column, title, threshold, digits) {
@@ -264,7 +256,7 @@ function showPage(wanted) {
   const rows = frames.slice(page * rowsPerPage, (page + 1) * rowsPerPage).map(frame =>
     element('tr', {}, ...columns.map(([, value, kind]) => element('td', {class: kind || ''}, value(frame)))));
   byId('frames').replaceChildren(element('thead', {}, head), element('tbody', {}, ...rows));
-  byId('filter-count').textContent = `${number(frames.length)} of ${number(frameCount)} frames`;
+  byId('filter-count').textContent = `${number(frames.length)} of ${counting(frameCount, 'frame')}`;
   const turn = (name, to) => {
     const button = element('button', {type: 'button', onclick: () => showPage(to)}, name);
     button.disabled = to < 0 || to >= pages;
@@ -345,7 +337,7 @@ async function drawMatrix() {
   byId('matrix-scale').hidden = false;
   byId('matrix-brightest').textContent = `${number(brightest, 2)} or more`;
   const chart = draw('matrix-chart', () => ({
-    grid: {left: 64, right: 20, top: 40, bottom: 48},
+    grid: matrixGrid,
     legend: {data: ['accepted loop closures']},
     tooltip: {formatter: item => known(item.data.query) ? captionOf(run, item.data.query) : ''},
     xAxis: {...frameAxis(frameCount), name: 'earlier frame', max: frameCount},
@@ -459,7 +451,7 @@ function fillGraph() {
 function drawEdgeNumbers(id, series, nothing) {
   const shown = series.filter(([, , , key]) => run.loops.some(loop => known(loop[key])));
   if (!shown.length) return say(byId(id), nothing);
-  const least = 1e-5;  // the logarithm has no 0, and the data no smaller step
+  const least = 1e-6;  // the logarithm has no 0, and the data no smaller step
   draw(id, () => ({
     grid: plotGrid, legend: {}, dataZoom: zoom,
     tooltip: {formatter: ({seriesName, data: {value, query, loop}}) => `${captionOf(run, query)}<br>${seriesName}: ${
@@ -467,7 +459,7 @@ function drawEdgeNumbers(id, series, nothing) {
     xAxis: frameAxis(frameCount),
     yAxis: {type: 'log', axisLabel: {formatter: length}},
     series: shown.map(([name, fill, symbol, key]) => ({
-      name, type: 'scatter', symbol, symbolSize: 6, itemStyle: {color: fill},
+      name, type: 'scatter', symbol, symbolSize: 6, itemStyle: {color: fill === 'accent' ? colour(fill) : fill},
       data: run.loops.filter(loop => known(loop[key])).map(loop => ({
         value: [loop.query, Math.max(least, loop[key])], query: loop.query, loop,
         itemStyle: {opacity: loop.weight === 0 ? 0.35 : 1}}))})),
@@ -478,7 +470,7 @@ function drawEdges() {
   const nothing = run.loops.length ? 'no loop closure became an edge of the graph' : 'no loop closure was found';
   drawEdgeNumbers('edges-chart', [
     ['before optimisation', '#d55e00', 'triangle', 'residual_before_m'],
-    ['after optimisation', '#0072b2', 'circle', 'residual_after_m']], nothing);
+    ['after optimisation', 'accent', 'circle', 'residual_after_m']], nothing);
   drawEdgeNumbers('deviations-chart', [
     ['standard deviation that the edge claims', '#009e73', 'rect', 'translation_sd_m'],
     ['error against the ground truth', '#cc79a7', 'diamond', 'truth_error_m']], nothing);
@@ -486,10 +478,16 @@ function drawEdges() {
 
 // ---- Configuration ----------------------------------------------------------------------------
 
+/** Broken between words only. */
+function commandLine(command) {
+  return element('pre', {id: 'command'}, ...command.split(' ').flatMap((word, i) =>
+    i ? [' ', element('span', {}, word)] : [element('span', {}, word)]));
+}
+
 function fillRun() {
   const summary = run.summary;
   const panel = byId('run-content');
-  if (summary.command) panel.append(element('h3', {}, 'Command'), element('pre', {}, summary.command));
+  if (summary.command) panel.append(element('h3', {}, 'Command'), commandLine(summary.command));
   panel.append(element('h3', {}, 'Versions and model'), factsTable([
     ...Object.entries(summary.versions), ['model', summary.model.file], ['SHA-256 of the model', summary.model.sha256],
     ['seed', (summary.options.runtime || {}).seed ?? '-'],

@@ -83,7 +83,7 @@ void add_residual(Json& json,
     const FramePose estimated{
         map_to_candidate * poses->query.rotation,
         map_to_candidate * (poses->query.position - poses->candidate.position)};
-    json["residual_" + when + "_m"] = rounded(cv::norm(estimated.position - edge.position), 5);
+    json["residual_" + when + "_m"] = rounded(cv::norm(estimated.position - edge.position), 6);
     json["residual_" + when + "_deg"] =
         rounded(angle_between(estimated, edge) / kRadiansPerDegree, 4);
 }
@@ -101,7 +101,7 @@ void add_edge(Json& json,
     // The axes of the true poses may be another body's, so those of the map turn the edge.
     const auto way = optimized->candidate.rotation * edge.position;
     json["truth_error_m"] =
-        rounded(cv::norm(way - (truth->query.position - truth->candidate.position)), 5);
+        rounded(cv::norm(way - (truth->query.position - truth->candidate.position)), 6);
 }
 }  // namespace
 
@@ -144,7 +144,7 @@ Json loops_json(const std::vector<FrameVerdict>& frames,
             if (const auto weight = table->number(row, "weight")) json["weight"] = *weight;
             if (const auto fate = table->text(row, "edge"); !fate.empty()) json["edge"] = fate;
             if (const auto sigma = vector_of(*table, row, {"sigma_x", "sigma_y", "sigma_z"}))
-                json["translation_sd_m"] = rounded(cv::norm(*sigma), 5);
+                json["translation_sd_m"] = rounded(cv::norm(*sigma), 6);
             if (const auto edge = edge_of(*table, row)) add_edge(json, *edge, loop, trajectories);
         }
         loops.push_back(std::move(json));

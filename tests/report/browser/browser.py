@@ -92,7 +92,9 @@ class Browser:
         ActionChains(self.driver).scroll_from_origin(origin, 0, -300).perform()
 
     def screenshot(self, path):
-        """The page from top to bottom."""
+        """The page from top to bottom, with the pictures that would be loaded on the way down."""
+        self.run("for (const image of document.images) image.loading = 'eager'")
+        self.wait_for("return [...document.images].every(image => image.complete)")
         size = self.run("return [document.documentElement.clientWidth, document.documentElement.scrollHeight]")
         picture = self.driver.execute_cdp_cmd("Page.captureScreenshot", {
             "captureBeyondViewport": True, "clip": {"x": 0, "y": 0, "width": size[0], "height": size[1], "scale": 1}})

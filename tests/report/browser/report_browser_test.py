@@ -137,7 +137,12 @@ class Report(PageTest):
 
     def test_a_bar_filters_the_table(self):
         self.browser.open(self.page)
-        self.browser.run("byId('filter-verdict').value = 'too_early'; byId('filter').dispatchEvent(new Event('input'))")
+        x, y = self.browser.run("""
+            const chart = echarts.getInstanceByDom(byId('reasons-chart'));
+            const names = chart.getOption().yAxis[0].data;
+            return chart.convertToPixel('grid', [50, names.indexOf('too early')])""")
+        self.browser.point_at("#reasons-chart", x, y)
+        self.browser.click()
         self.assertIn("100 of 200 frames", self.browser.element("#filter-count").text)
         self.browser.press("#pager button:last-child")
         self.assertIn("page 2 of 4", self.browser.element("#pager").text)
@@ -182,6 +187,7 @@ class ReportOfAnUnusualRun(PageTest):
 
     def test_of_a_single_frame(self):
         self.report_of("single_frame", Drive(1))
+        self.assertIn("single position", self.reason("map-chart"))
         self.assertIn("no frame had a candidate", self.reason("inliers-chart"))
         self.assertIn("single frame", self.reason("matrix-chart"))
 
