@@ -121,7 +121,8 @@ function withDefaults(chart, options) {
       ...options.tooltip,
     },
     legend: options.legend
-      ? {textStyle: {color: colour('ink'), fontSize: 13}, top: 0, itemWidth: 14, itemHeight: 10, ...options.legend} : undefined,
+      ? {textStyle: {color: colour('ink'), fontSize: 13}, top: 0, itemWidth: 14, itemHeight: 10,
+         inactiveColor: colour('line'), ...options.legend} : undefined,
   };
 }
 
