@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Fetches the network behind the global descriptor and converts it to ONNX; see --help.
 set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source "$here/npm_package.sh"
 
 # The detector's network is part of an npm package; its other half, the box predictors, is of no use here.
 package=@mediapipe/objectron
@@ -16,7 +18,6 @@ backbone=FeatureExtractor/MobilenetV2
 layers=("$backbone/expanded_conv_14/add" "$backbone/Conv_1/Relu6")
 
 python=/usr/bin/python3 # Debian's: it sees the packages that apt installs
-here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 usage() {
     cat <<EOF
@@ -37,11 +38,6 @@ Licence: the network is Apache-2.0 (MediaPipe, by Google). It is fetched, not pa
 EOF
 }
 
-fail() {
-    echo "get-model.sh: error: $*" >&2
-    exit 1
-}
-
 parse_arguments() {
     output=${XDG_DATA_HOME:-$HOME/.local/share}/mrpt-fild/mobilenet_v2_objectron.onnx
     while (($#)); do
@@ -51,31 +47,13 @@ parse_arguments() {
             exit 0
             ;;
         --output)
-            if (($# < 2)) || [[ -z $2 ]]; then
-                echo "get-model.sh: --output needs a file name" >&2
-                exit 2
-            fi
+            if (($# < 2)) || [[ -z $2 ]]; then wrong_usage "--output needs a file name"; fi
             output=$2
             shift 2
             ;;
-        *)
-            echo "get-model.sh: unknown argument '$1'; see --help" >&2
-            exit 2
-            ;;
+        *) wrong_usage "unknown argument '$1'; see --help" ;;
         esac
     done
-}
-
-# sum_of TOOL FILE: the bare checksum. Read from stdin, so that no file name is escaped into the line.
-sum_of() {
-    "$1" <"$2" | cut -d ' ' -f 1
-}
-
-# check_sum TOOL FILE EXPECTED WHAT
-check_sum() {
-    local got
-    got=$(sum_of "$1" "$2")
-    [[ $got == "$3" ]] || fail "$4 is not the one expected: ${1%sum} $got, expected $3; nothing was written"
 }
 
 # True when FILE is the recorded conversion, or the one that an earlier run noted beside it.
@@ -90,7 +68,7 @@ is_intact() {
 }
 
 check_tools() {
-    command -v npm >/dev/null || fail "npm is not installed; try: apt install npm"
+    check_npm
     [[ -x $python ]] || fail "$python is not installed; try: apt install python3"
     local module missing=()
     for module in flatbuffers numpy onnx; do
@@ -101,14 +79,7 @@ check_tools() {
 
 # Leaves the TFLite network in $work/model.tflite.
 fetch_tflite() {
-    echo "fetching $package $version"
-    if ! (cd "$work" && npm pack --loglevel=error "$package@$version" >npm.out 2>npm.err); then
-        fail "npm could not fetch $package@$version; is there a network? npm: $(tr -s '\n' ' ' <"$work/npm.err" | cut -c 1-200)"
-    fi
-    local tarballs=("$work"/*.tgz)
-    [[ -f ${tarballs[0]} ]] || fail "npm pack wrote no package; try again, or look at: npm pack $package@$version"
-    check_sum sha512sum "${tarballs[0]}" "$tarball_sha512" "the package"
-    tar -xzf "${tarballs[0]}" -C "$work" "$assets"
+    fetch_package "$package" "$version" "$tarball_sha512" "$work" "$assets"
     tail -c +"$tflite_first_byte" "$work/$assets" >"$work/model.tflite"
     check_sum sha256sum "$work/model.tflite" "$tflite_sha256" "the network in the package"
 }

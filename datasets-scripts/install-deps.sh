@@ -22,14 +22,15 @@ packages=(
   nlohmann-json3-dev                    # summary.json
   libssl-dev                            # checksum of the model
   zlib1g-dev                            # gzipped rawlogs
-  ca-certificates python3 python3-numpy python3-onnx python3-flatbuffers   # get-model.sh
+  ca-certificates python3 python3-numpy python3-onnx python3-flatbuffers   # get-model.sh, get-charts.sh
 )
 test_packages=(
   libgtest-dev libgmock-dev             # unit tests
   mrpt-apps mrpt-common                 # rawlog-edit, graph-slam, rawlogs nobody here wrote
   libmrpt-graphs-dev                    # reads our pose graphs back
   libmrpt-graphslam-dev                 # -DFILD_BUILD_GRAPHSLAM=ON; only here: brings wxWidgets along
-  python3-opencv                        # checks the converted model
+  python3-opencv                        # checks the converted model, draws runs
+  chromium chromium-driver python3-selenium   # looks at reports
   clang-format clang-tidy clang-tools   # formatting and lint
 )
 
@@ -39,7 +40,7 @@ case "${1:-}" in
   --help | -h) echo "$usage"; exit 0 ;;
   *) echo "install-deps.sh: unknown option '$1'" >&2; echo "$usage" >&2; exit 2 ;;
 esac
-# get-model.sh needs npm; another than Debian's is as good.
+# get-model.sh and get-charts.sh need npm; another than Debian's is as good.
 command -v npm > /dev/null || packages+=(npm)
 
 missing=()

@@ -101,6 +101,7 @@ prepare_apps() {
     return
   fi
   "$scripts/install-deps.sh"
+  "$scripts/get-charts.sh"
   (
     cd "$repository" || exit
     cmake --preset release > /dev/null
@@ -170,6 +171,7 @@ say_where_results_are() {
   cat << EOF
 
 Results are in $output:
+  report.html   all of it to look at, in a browser
   frames.csv    every camera frame with its verdict and the reason
   loops.csv     the loop closures, with metric pose and weight where there is scale
   matches/      pictures of them

@@ -9,8 +9,9 @@ step() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
 step "packages"
 datasets-scripts/install-deps.sh --tests
 
-step "model"
+step "model and charts"
 datasets-scripts/get-model.sh
+datasets-scripts/get-charts.sh
 
 step "formatting"
 git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run --Werror
@@ -33,6 +34,6 @@ ctest --preset dev --parallel 2
 step "build and tests but the longest (preset asan)"
 cmake --preset asan > /dev/null
 cmake --build --preset asan
-ctest --preset asan --parallel 2 --label-exclude dataset --exclude-regex '^(dataset_scripts|TownMap|MetricPose)'
+ctest --preset asan --parallel 2 --label-exclude "dataset|browser" --exclude-regex '^(dataset_scripts|TownMap|MetricPose)'
 
 step "done"

@@ -3,7 +3,11 @@
 
 #include "fild/features/model_file.h"
 #include "fild/rawlog/rawlog_reader.h"
+#include "fild/report/cost_csv.h"
+#include "fild/report/html_report.h"
+#include "fild/report/process_memory.h"
 #include "fild/report/run_summary.h"
+#include "fild/report/similarity_matrix.h"
 #include "fild/report/verdict_csv.h"
 #include "interruption.h"
 #include "map_files.h"
@@ -30,22 +34,28 @@ namespace
 /** Everything a run gathers on its way through the rawlog. */
 struct Gathered
 {
-    Gathered(const OutputFolder& folder, bool for_pictures)
+    Gathered(const OutputFolder& folder, const TRunOptions& options)
         : frames(folder.file("frames.csv")),
           loops(folder.file("loops.csv")),
           candidates(folder.file("candidates.csv")),
-          keep_closures(for_pictures)
+          costs(folder.file("costs.csv")),
+          pictures(options.render, options.report)
     {
+        if (options.report.similarity_frames > 0)
+            similarities.emplace(static_cast<std::size_t>(options.report.similarity_frames));
     }
 
-    void add(const DetectorOutcome& outcome)
+    void add(const DetectorOutcome& outcome, const LoopClosureStream& stream)
     {
-        candidates.add(outcome.verdict.frame, outcome.considered);
-        summary.add(outcome.verdict);
-        verdicts.push_back({outcome.verdict, outcome.depth_source});
-        if (!outcome.verdict.accepted() || !keep_closures) return;
-        const auto candidate = to_index(outcome.verdict.candidate->frame);
-        closures.push_back(to_loop_picture(outcome, verdicts.at(candidate).verdict.timestamp));
+        const auto& verdict = outcome.verdict;
+        candidates.add(verdict.frame, outcome.considered);
+        costs.add(verdict.frame, stream.times(), stream.detector().map_bytes());
+        if (similarities) similarities->add(verdict.frame, outcome.global);
+        summary.add(verdict);
+        verdicts.push_back({verdict, outcome.depth_source});
+        if (verdict.candidate)
+            pictures.add(outcome,
+                         verdicts.at(to_index(verdict.candidate->frame)).verdict.timestamp);
     }
 
     /** Writes what waits for the map: where depths came from, and what became of each loop. */
@@ -72,10 +82,11 @@ struct Gathered
     VerdictCsv frames;
     LoopCsv loops;
     CandidateCsv candidates;
+    CostCsv costs;
+    std::optional<SimilarityMatrix> similarities;
     RunSummary summary;
-    bool keep_closures;  ///< for pictures
     std::vector<Row> verdicts;  ///< of every camera frame
-    std::vector<LoopPicture> closures;
+    PairsToDraw pictures;
 };
 
 void throw_if_interrupted()
@@ -103,7 +114,7 @@ void read_frames(const RunRequest& request,
         const auto outcome = stream.feed(*observation);
         if (!outcome) continue;
         map.add(*outcome);
-        gathered.add(*outcome);
+        gathered.add(*outcome, stream);
         const double of_limit =
             request.max_frames == 0
                 ? 0
@@ -212,16 +223,36 @@ void count_depth_defects(const LoopDetector& detector, RunSummary& summary)
             summary.map.notes.push_back("no frame has a depth of its own: " + defect);
 }
 
+/** Writes similarity.png; an error ends only this. */
+void write_similarities(const OutputFolder& folder, StageTimes& times, Gathered& gathered)
+{
+    auto& summary = gathered.summary;
+    std::filesystem::remove(folder.file("similarity.png"));
+    if (!gathered.similarities || summary.usable_frames() == 0) return;
+    try
+    {
+        const StageTimer timer(times, "similarity_matrix");
+        gathered.similarities->write_png(folder.file("similarity.png"));
+        summary.frames_per_similarity_row = gathered.similarities->frames_per_row();
+    }
+    catch (const std::exception& error)
+    {
+        if (summary.ended_early.empty())
+            summary.ended_early = std::string("no matrix of similarities: ") + error.what();
+    }
+}
+
 /** Draws the match pictures; an error or an interruption ends only the drawing. */
 void draw_what_can_be_drawn(const RunRequest& request,
                             const OutputFolder& folder,
+                            StageTimes& times,
                             Gathered& gathered)
 {
     auto& summary = gathered.summary;
     try
     {
-        summary.match_pictures = draw_match_pictures(gathered.closures,
-                                                     request.options.render,
+        const StageTimer timer(times, "match_pictures");
+        summary.match_pictures = draw_match_pictures(gathered.pictures.chosen(),
                                                      request.options.stream.input,
                                                      request.rawlog,
                                                      folder.file("matches"));
@@ -233,9 +264,24 @@ void draw_what_can_be_drawn(const RunRequest& request,
     }
 }
 
+/** Writes report.html out of the folder's other files; an error ends only this. */
+void write_what_can_be_reported(const RunRequest& request, RunSummary& summary)
+{
+    try
+    {
+        write_html_report(request.output, request.options.report);
+    }
+    catch (const std::exception& error)
+    {
+        if (summary.ended_early.empty())
+            summary.ended_early = std::string("no report: ") + error.what();
+    }
+}
+
 /** Fills in all of the summary that is not counted frame by frame. */
 void complete_summary(RunRequest& request, const LoopClosureStream& stream, RunSummary& summary)
 {
+    summary.command = request.command;
     summary.rawlog = request.rawlog;
     summary.max_frames = request.max_frames;
     summary.clock_jumps = stream.detector().clock_jumps();
@@ -282,6 +328,7 @@ std::vector<std::pair<std::string, Options*>> TRunOptions::sections()
     auto all = stream.sections();
     all.emplace_back("graph", &graph);
     all.emplace_back("render", &render);
+    all.emplace_back("report", &report);
     return all;
 }
 
@@ -295,12 +342,15 @@ void run_loop_closure(RunRequest request)
     LoopClosureStream stream(options.stream, request.rawlog);
     const OutputFolder folder(request.output);
 
-    std::filesystem::remove(folder.file("summary.json"));  // written last: it marks a whole set
-    Gathered gathered(folder, options.render.max_match_pictures > 0);
+    // Written last: the summary marks a whole set, and the report is made of it.
+    for (const auto* last : {"summary.json", "report.html"})
+        std::filesystem::remove(folder.file(last));
+    Gathered gathered(folder, options);
     MapBuilder builder(options.stream.detector, options.graph);
     auto& summary = gathered.summary;
     summary.ended_early = read_what_can_be_read(request, reader, stream, builder, gathered);
     gathered.candidates.commit();
+    gathered.costs.commit();
     auto times = stream.times();
     const auto map = build_what_can_be_built(builder, stream.detector(), times, summary);
     gathered.write_rows(map);
@@ -308,13 +358,15 @@ void run_loop_closure(RunRequest request)
     gathered.loops.commit();
     remove_map_files(folder);
     if (map) write_what_can_be_written(request, *map, folder, times, summary);
-    draw_what_can_be_drawn(request, folder, gathered);
+    write_similarities(folder, times, gathered);
+    draw_what_can_be_drawn(request, folder, times, gathered);
     count_depth_defects(stream.detector(), summary);
     summary.stage_times = times.statistics();
     complete_summary(request, stream, summary);
     summary.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     write_summary(summary, folder.file("summary.json"));
+    if (options.report.write_html) write_what_can_be_reported(request, summary);
     print_result(summary, stream.frames().first_missing_image(), request.output);
     if (!summary.ended_early.empty())
         throw std::runtime_error(summary.ended_early + "; the results of the " +

@@ -4,6 +4,7 @@
 #include "fild/core/options.h"
 #include "fild/graph/graph_options.h"
 #include "fild/render/render_options.h"
+#include "fild/report/report_options.h"
 #include "fild/stream/loop_closure_stream.h"
 
 #include <cstddef>
@@ -19,6 +20,7 @@ struct TRunOptions
     TLoopClosureStreamOptions stream;
     TGraphOptions graph;
     TRenderOptions render;
+    TReportOptions report;
 
     std::vector<std::pair<std::string, Options*>> sections();
 };
@@ -26,6 +28,7 @@ struct TRunOptions
 /** One run of the main job. */
 struct RunRequest
 {
+    std::string command;  ///< that was typed
     std::string rawlog;
     std::string output;  ///< folder
     std::size_t max_frames = 0;  ///< 0: all
@@ -34,8 +37,9 @@ struct RunRequest
 };
 
 /** Runs the detector over the rawlog, builds the map, and writes frames.csv, loops.csv,
- *  candidates.csv, the files of the map (write_map_files()), matches/QUERY_CANDIDATE.png and
- *  summary.json into the output folder; each appears when it is whole.
+ *  candidates.csv, costs.csv, the files of the map (write_map_files()), similarity.png,
+ *  matches/QUERY_CANDIDATE.png, summary.json and report.html into the output folder; each appears
+ *  when it is whole.
  *
  *  When the rawlog breaks off, an error stops the run or the user interrupts it, the results of the
  *  frames before are written all the same, summary.json says why it ended, and then the error is

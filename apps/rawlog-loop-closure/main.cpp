@@ -11,6 +11,29 @@ namespace
 {
 using Text = TCLAP::ValueArg<std::string>;
 
+/** The words as a shell takes them apart again. */
+std::string shell_line(int argc, char** argv)
+{
+    std::string line;
+    for (int i = 0; i < argc; ++i)
+    {
+        const std::string word = argv[i];
+        constexpr const char* kPlain =
+            "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,+@%";
+        const bool is_plain = !word.empty() && word.find_first_not_of(kPlain) == std::string::npos;
+        line += i == 0 ? "" : " ";
+        if (is_plain)
+        {
+            line += word;
+            continue;
+        }
+        line += '\'';
+        for (const char c : word) line += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
+        line += '\'';
+    }
+    return line;
+}
+
 /** Nothing when --help or --version was all that was asked for. \throw fild::WrongUsage */
 std::optional<fild::RunRequest> parse(int argc, char** argv)
 {
@@ -30,6 +53,7 @@ std::optional<fild::RunRequest> parse(int argc, char** argv)
     if (max_frames.getValue() < 1) throw fild::WrongUsage("--max-frames must be at least 1");
 
     fild::RunRequest request;
+    request.command = shell_line(argc, argv);
     request.rawlog = rawlog.getValue();
     request.output = output.getValue();
     if (max_frames.isSet()) request.max_frames = static_cast<std::size_t>(max_frames.getValue());

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace fild
 {
@@ -24,9 +25,9 @@ namespace
 class CandidateImages
 {
  public:
-    explicit CandidateImages(const std::vector<LoopPicture>& loops)
+    explicit CandidateImages(const std::vector<LoopPicture>& pairs)
     {
-        for (const auto& loop : loops) ++waiting_[loop.verdict.candidate->frame].pictures;
+        for (const auto& pair : pairs) ++waiting_[pair.verdict.candidate->frame].pictures;
     }
 
     bool wants(FrameId frame) const { return waiting_.count(frame) != 0; }
@@ -54,15 +55,11 @@ class CandidateImages
     std::map<FrameId, Entry> waiting_;
 };
 
-std::vector<LoopPicture> chosen_loops(const std::vector<LoopPicture>& loops,
-                                      const TRenderOptions& options)
+LoopPicture to_loop_picture(const DetectorOutcome& outcome, double candidate_timestamp)
 {
-    std::vector<FrameVerdict> verdicts;
-    verdicts.reserve(loops.size());
-    for (const auto& loop : loops) verdicts.push_back(loop.verdict);
-    std::vector<LoopPicture> chosen;
-    for (const auto i : choose_match_pictures(verdicts, options)) chosen.push_back(loops[i]);
-    return chosen;
+    LoopPicture loop{outcome.verdict, candidate_timestamp, {}};
+    for (const auto k : outcome.inliers) loop.inliers.push_back(outcome.matches[k]);
+    return loop;
 }
 
 std::string picture_name(const FrameVerdict& verdict)
@@ -71,16 +68,16 @@ std::string picture_name(const FrameVerdict& verdict)
            std::to_string(to_index(verdict.candidate->frame)) + ".png";
 }
 
-void write_picture(const LoopPicture& loop,
+void write_picture(const LoopPicture& pair,
                    const cv::Mat& query_image,
                    const cv::Mat& candidate_image,
                    const std::filesystem::path& folder)
 {
     const auto picture = draw_match_picture(
-        {query_image, candidate_image, loop.verdict, loop.candidate_timestamp, loop.inliers});
+        {query_image, candidate_image, pair.verdict, pair.candidate_timestamp, pair.inliers});
     std::vector<unsigned char> png;
     cv::imencode(".png", picture, png);
-    WholeFile file((folder / picture_name(loop.verdict)).string());
+    WholeFile file((folder / picture_name(pair.verdict)).string());
     file.stream().write(reinterpret_cast<const char*>(png.data()),
                         static_cast<std::streamsize>(png.size()));
     file.commit();
@@ -107,17 +104,17 @@ void remove_old_pictures(const std::filesystem::path& folder)
     for (const auto& path : old) std::filesystem::remove(path);
 }
 
-/** Passes over the rawlog and draws the loops, which stand in order of their queries. */
-std::size_t draw_all(const std::vector<LoopPicture>& loops,
+/** Passes over the rawlog and draws the pairs, which stand in order of their queries. */
+std::size_t draw_all(const std::vector<LoopPicture>& pairs,
                      const TInputOptions& input,
                      const std::string& rawlog,
                      const std::filesystem::path& folder)
 {
-    CandidateImages candidates(loops);
+    CandidateImages candidates(pairs);
     RawlogReader reader(rawlog);
     FrameBuilder builder(input, rawlog);
-    auto next = loops.begin();
-    while (next != loops.end() && !interrupted())
+    auto next = pairs.begin();
+    while (next != pairs.end() && !interrupted())
     {
         const auto observation = reader.next();
         if (!observation) break;
@@ -138,26 +135,58 @@ std::size_t draw_all(const std::vector<LoopPicture>& loops,
         write_picture(*next, frame.image, candidates.take(next->verdict.candidate->frame), folder);
         ++next;
     }
-    return static_cast<std::size_t>(next - loops.begin());
+    return static_cast<std::size_t>(next - pairs.begin());
 }
 }  // namespace
 
-LoopPicture to_loop_picture(const DetectorOutcome& outcome, double candidate_timestamp)
+PairsToDraw::PairsToDraw(TRenderOptions render, const TReportOptions& report)
+    : render_(std::move(render)),
+      max_rejected_(static_cast<std::size_t>(report.max_rejected_pictures))
 {
-    LoopPicture loop{outcome.verdict, candidate_timestamp, {}};
-    for (const auto k : outcome.inliers) loop.inliers.push_back(outcome.matches[k]);
-    return loop;
 }
 
-std::size_t draw_match_pictures(const std::vector<LoopPicture>& loops,
-                                const TRenderOptions& options,
+void PairsToDraw::add(const DetectorOutcome& outcome, double candidate_timestamp)
+{
+    if (render_.max_match_pictures == 0) return;
+    if (outcome.verdict.accepted())
+        closures_.push_back(to_loop_picture(outcome, candidate_timestamp));
+    else if (outcome.verdict.support > 0)
+        add_rejected(outcome, candidate_timestamp);
+}
+
+void PairsToDraw::add_rejected(const DetectorOutcome& outcome, double candidate_timestamp)
+{
+    const auto place = std::upper_bound(rejected_.begin(),
+                                        rejected_.end(),
+                                        outcome.verdict.support,
+                                        [](double support, const LoopPicture& other)
+                                        { return support > other.verdict.support; });
+    if (place == rejected_.end() && rejected_.size() >= max_rejected_) return;
+    rejected_.insert(place, to_loop_picture(outcome, candidate_timestamp));
+    if (rejected_.size() > max_rejected_) rejected_.pop_back();
+}
+
+std::vector<LoopPicture> PairsToDraw::chosen() const
+{
+    std::vector<FrameVerdict> verdicts;
+    verdicts.reserve(closures_.size());
+    for (const auto& loop : closures_) verdicts.push_back(loop.verdict);
+    auto pairs = rejected_;
+    for (const auto i : choose_match_pictures(verdicts, render_)) pairs.push_back(closures_[i]);
+    std::sort(pairs.begin(),
+              pairs.end(),
+              [](const auto& a, const auto& b) { return a.verdict.frame < b.verdict.frame; });
+    return pairs;
+}
+
+std::size_t draw_match_pictures(const std::vector<LoopPicture>& pairs,
                                 const TInputOptions& input,
                                 const std::string& rawlog,
                                 const std::string& folder)
 {
     std::filesystem::create_directories(folder);
     remove_old_pictures(folder);
-    return draw_all(chosen_loops(loops, options), input, rawlog, folder);
+    return draw_all(pairs, input, rawlog, folder);
 }
 
 }  // namespace fild

@@ -17,6 +17,7 @@ install(FILES
   DESTINATION ${FILD_CMAKE_DIR})
 install(DIRECTORY config-ini DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild)
 # Error messages name datasets-scripts/get-model.sh: whoever installed has it too.
-install(PROGRAMS datasets-scripts/get-model.sh datasets-scripts/tflite_to_onnx.py
+install(PROGRAMS datasets-scripts/get-model.sh datasets-scripts/npm_package.sh
+  datasets-scripts/tflite_to_onnx.py
   DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild/datasets-scripts)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -31,7 +31,7 @@ cmake --install "$build_dir" --prefix "$prefix" > "$work/install.log"
 ! grep -rIl -e "$source_dir" -e "$build_dir" "$prefix" --include='*.cmake' --include='*.h' ||
   fail "an installed file names the tree it was built in"
 for installed in share/mrpt-fild/config-ini/default.ini bin/rawlog-loop-closure \
-    share/mrpt-fild/datasets-scripts/get-model.sh share/doc/mrpt-fild/LICENSE; do
+    share/mrpt-fild/datasets-scripts/{get-model.sh,npm_package.sh} share/doc/mrpt-fild/LICENSE; do
   [ -e "$prefix/$installed" ] || fail "$installed was not installed"
 done
 

@@ -31,11 +31,13 @@ TEST(StageTimes, MergesTheCallsOfAnother)
     a.merge(b);
     EXPECT_DOUBLE_EQ(a.statistics().at("search").mean_ms, 2);
     EXPECT_EQ(a.statistics().at("other").calls, 1U);
+    EXPECT_DOUBLE_EQ(a.total_ms("search"), 4);
 }
 
 TEST(StageTimes, IsEmptyWithoutCalls)
 {
     EXPECT_TRUE(fild::StageTimes().statistics().empty());
+    EXPECT_EQ(fild::StageTimes().total_ms("search"), 0);
 }
 
 TEST(StageTimer, AddsOneCallPerScope)

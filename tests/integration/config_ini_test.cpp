@@ -3,6 +3,7 @@
 #include "fild/core/ini_file.h"
 #include "fild/graph/graph_options.h"
 #include "fild/render/render_options.h"
+#include "fild/report/report_options.h"
 #include "fild/stream/loop_closure_stream.h"
 
 #include <gtest/gtest.h>
@@ -22,12 +23,14 @@ struct AllOptions
     fild::TLoopClosureStreamOptions stream;
     fild::TGraphOptions graph;
     fild::TRenderOptions render;
+    fild::TReportOptions report;
 
     std::vector<std::pair<std::string, fild::Options*>> sections()
     {
         auto all = stream.sections();
         all.emplace_back("graph", &graph);
         all.emplace_back("render", &render);
+        all.emplace_back("report", &report);
         return all;
     }
 };

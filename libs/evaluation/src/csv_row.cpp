@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "csv_row.h"
 
+#include "fild/evaluation/csv_fields.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -11,9 +13,7 @@
 
 namespace fild
 {
-namespace
-{
-std::vector<std::string> split_fields(const std::string& line)
+std::vector<std::string> split_csv_fields(const std::string& line)
 {
     std::vector<std::string> fields(1);
     bool quoted = false;
@@ -31,10 +31,9 @@ std::vector<std::string> split_fields(const std::string& line)
     }
     return fields;
 }
-}  // namespace
 
 CsvRow::CsvRow(const std::string& line, std::string origin, std::size_t columns)
-    : fields_(split_fields(line)), origin_(std::move(origin))
+    : fields_(split_csv_fields(line)), origin_(std::move(origin))
 {
     if (fields_.size() != columns)
         fail(std::to_string(fields_.size()) + " columns instead of " + std::to_string(columns));

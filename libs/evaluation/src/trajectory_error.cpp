@@ -77,8 +77,23 @@ Eigen::Matrix3Xd positions_of(const Poses& poses)
     return positions;
 }
 
-/** Lays the estimated poses over the true ones. \return the scale. */
-double align(PosePairs& pairs, bool with_scale)
+/** Lays the estimated poses over the true ones. */
+struct Alignment
+{
+    Eigen::Matrix3d rotation;
+    Eigen::Vector3d translation;
+    double scale = 1;
+
+    Eigen::Isometry3d of(const Eigen::Isometry3d& pose) const
+    {
+        Eigen::Isometry3d aligned = Eigen::Isometry3d::Identity();
+        aligned.linear() = rotation * pose.linear();
+        aligned.translation() = scale * rotation * pose.translation() + translation;
+        return aligned;
+    }
+};
+
+Alignment alignment_of(const PosePairs& pairs, bool with_scale)
 {
     const auto estimated = positions_of(pairs.estimated);
     const Eigen::Vector3d centre = estimated.rowwise().mean();
@@ -86,16 +101,11 @@ double align(PosePairs& pairs, bool with_scale)
     if (with_scale && !moves) throw std::runtime_error("it does not move, so it has no scale");
     const Eigen::Matrix4d truth_from_estimated =
         Eigen::umeyama(estimated, positions_of(pairs.truth), with_scale);
-    const double scale = truth_from_estimated.col(0).head<3>().norm();
-    const Eigen::Matrix3d rotation = truth_from_estimated.topLeftCorner<3, 3>() / scale;
-    for (auto& pose : pairs.estimated)
-    {
-        const Eigen::Vector3d position =
-            scale * rotation * pose.translation() + truth_from_estimated.topRightCorner<3, 1>();
-        pose.linear() = rotation * pose.linear();
-        pose.translation() = position;
-    }
-    return scale;
+    Alignment alignment;
+    alignment.scale = truth_from_estimated.col(0).head<3>().norm();
+    alignment.rotation = truth_from_estimated.topLeftCorner<3, 3>() / alignment.scale;
+    alignment.translation = truth_from_estimated.topRightCorner<3, 1>();
+    return alignment;
 }
 
 double rmse_of_positions(const PosePairs& pairs)
@@ -168,7 +178,9 @@ TrajectoryError trajectory_error(const std::vector<TimedPose>& trajectory,
     auto pairs = pair_by_time(trajectory, truth);
     TrajectoryError error;
     error.pairs = pairs.truth.size();
-    error.scale = align(pairs, options.align_scale);
+    const auto alignment = alignment_of(pairs, options.align_scale);
+    for (auto& pose : pairs.estimated) pose = alignment.of(pose);
+    error.scale = alignment.scale;
     error.ate_rmse = rmse_of_positions(pairs);
     if (!oriented_truth) return error;
     align_bodies(pairs);
@@ -176,6 +188,21 @@ TrajectoryError trajectory_error(const std::vector<TimedPose>& trajectory,
     for (const double length : options.step_lengths)
         if (const auto step = step_error(pairs, way, length)) error.steps.push_back(*step);
     return error;
+}
+
+std::vector<TimedPose> aligned_with(const std::vector<TimedPose>& trajectory,
+                                    const std::vector<PosedFrame>& truth)
+{
+    const auto alignment = alignment_of(pair_by_time(trajectory, truth), false);
+    auto aligned = trajectory;
+    for (auto& [timestamp, pose] : aligned)
+    {
+        const auto laid_over = alignment.of(to_isometry(pose));
+        pose.rotation = to_opencv(laid_over.linear());
+        const auto& position = laid_over.translation();
+        pose.position = {position.x(), position.y(), position.z()};
+    }
+    return aligned;
 }
 
 }  // namespace fild

@@ -29,7 +29,7 @@ DeciderOptions load_decider_options(const std::string& engine_ini, const std::st
     auto sections = options.stream.sections();
     sections.emplace_back("graph", &options.graph);
     const auto path = fs::path(engine_ini).parent_path() / named;  // or `named`, when absolute
-    load_sections(load_ini_file(path.string()), sections, {"render"});
+    load_sections(load_ini_file(path.string()), sections, {"render", "report"});
     return options;
 }
 

@@ -12,7 +12,6 @@
 #include <memory>
 #include <openssl/evp.h>
 #include <stdexcept>
-#include <sys/resource.h>
 
 namespace fild
 {
@@ -40,6 +39,7 @@ Json frames_json(const RunSummary& summary)
             {"clock_jumps", summary.clock_jumps},
             {"mean_keypoints", rounded(summary.mean_keypoints)},
             {"match_pictures", summary.match_pictures},
+            {"frames_per_similarity_row", summary.frames_per_similarity_row},
             {"ignored_camera_labels", summary.ignored_camera_labels}};
 }
 
@@ -136,6 +136,7 @@ void write_summary(const RunSummary& summary, const std::string& path)
     Json versions = Json::object();
     for (const auto& [name, version] : summary.versions) versions[name] = version;
     const Json json = {
+        {"command", summary.command},
         {"rawlog", summary.rawlog},
         {"max_frames", summary.max_frames},
         {"complete", summary.ended_early.empty()},
@@ -175,13 +176,6 @@ std::string sha256_of_file(const std::string& path)
         hexadecimal += kDigits[digest[i] & 15U];
     }
     return hexadecimal;
-}
-
-std::size_t peak_memory_bytes()
-{
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return static_cast<std::size_t>(usage.ru_maxrss) * 1024;  // Linux counts kilobytes
 }
 
 }  // namespace fild

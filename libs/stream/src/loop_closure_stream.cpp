@@ -20,7 +20,7 @@ TLoopClosureStreamOptions load_stream_options(const std::string& ini_path,
     TLoopClosureStreamOptions options;
     auto ini = load_ini_file(ini_path);
     apply_overrides(ini, overrides);
-    load_sections(ini, options.sections(), {"render", "graph"});
+    load_sections(ini, options.sections(), {"graph", "render", "report"});
     return options;
 }
 

@@ -28,11 +28,19 @@ class StageTimes
     /** Adds all calls of `other`. */
     void merge(const StageTimes& other);
 
+    /** All calls of a stage together, milliseconds; 0 for a stage without calls. Cheap. */
+    double total_ms(const std::string& stage) const;
+
     /** By stage name, alphabetically. Costs a sort of all calls. */
     std::map<std::string, Statistics> statistics() const;
 
  private:
-    std::map<std::string, std::vector<float>> milliseconds_;
+    struct Calls
+    {
+        std::vector<float> milliseconds;
+        double total_ms = 0;
+    };
+    std::map<std::string, Calls> calls_;
 };
 
 /** Times the scope it lives in as one call of a stage. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/descriptors.h"
 #include "fild/core/stage_times.h"
 #include "fild/core/verdict.h"
 #include "fild/detector/detector_options.h"
@@ -35,6 +36,7 @@ struct DetectorOutcome
     /** Of an accepted loop: the metric pose of query from candidate, or why there is none. Nothing
      *  when [relative_pose] is not enabled. */
     std::optional<RelativePose> pose{};
+    GlobalDescriptor global{};  ///< of this frame; empty for one that could not be used
 };
 
 /** The FILD pipeline, An et al., IROS 2019, Figure 2: finds for each frame the earlier frame that

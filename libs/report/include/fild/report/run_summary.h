@@ -47,6 +47,7 @@ struct RunSummary
     using OptionValues =
         std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>>;
 
+    std::string command;  ///< as it can be typed into a shell again
     std::string rawlog;
     std::size_t max_frames = 0;  ///< asked for; 0: all
     /** Why the run ended before the rawlog, or the frames asked for, did; empty for a complete run.
@@ -58,7 +59,9 @@ struct RunSummary
     std::size_t clock_jumps = 0;  ///< time stamps smaller than the one before
     std::vector<std::string> ignored_camera_labels;
     double mean_keypoints = 0;
-    std::size_t match_pictures = 0;
+    std::size_t match_pictures = 0;  ///< of loop closures and of rejected pairs
+    /** One row of similarity.png is so many frames after the row above; 0: there is none. */
+    std::size_t frames_per_similarity_row = 0;
     MapSummary map;
     OptionValues options;
     std::vector<std::pair<std::string, std::string>> versions;
@@ -82,8 +85,5 @@ void write_summary(const RunSummary& summary, const std::string& path);
 
 /** SHA-256 of a file's bytes in hexadecimal. \throw std::runtime_error when it cannot be read. */
 std::string sha256_of_file(const std::string& path);
-
-/** Largest resident memory of this process so far, bytes. */
-std::size_t peak_memory_bytes();
 
 }  // namespace fild

@@ -31,7 +31,7 @@ struct TLoopClosureStreamOptions
 };
 
 /** The options of a stream out of an .ini file of rawlog-loop-closure, such as those in config-ini;
- *  sections for that app alone ([render], [graph]) are passed over.
+ *  sections for that app alone ([graph], [render], [report]) are passed over.
  *  \param overrides  as apply_overrides() takes them.
  *  \throw std::runtime_error as load_ini_file() and load_sections().
  *  \throw std::invalid_argument as apply_overrides(). */

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// loop-closure-report: makes report.html anew out of the results of a run, or compares two runs.
+#include "app_main.h"
+#include "fild/report/html_report.h"
+#include "truth.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Text = TCLAP::ValueArg<std::string>;
+
+struct ReportRequest
+{
+    std::vector<std::string> runs;  ///< folders; two are compared
+    std::string output;  ///< of a comparison
+    fild::TReportOptions options;
+    std::optional<fild::TruthOptions> truth;
+};
+
+/** The arguments, in the order of --help from the last to the first. */
+struct Arguments
+{
+    explicit Arguments(TCLAP::CmdLine& c) : command(c) {}
+
+    TCLAP::CmdLine& command;
+    const fild::TReportOptions defaults{};
+    TCLAP::ValueArg<int> width{"",
+                               "picture-width",
+                               "Wider pictures are scaled down (800)",
+                               false,
+                               defaults.picture_width_px,
+                               "PIXELS",
+                               command};
+    TCLAP::ValueArg<int> pictures{"",
+                                  "max-pictures",
+                                  "Pictures of pairs in the page (150)",
+                                  false,
+                                  defaults.max_pictures,
+                                  "COUNT",
+                                  command};
+    Text protocol{"p",
+                  "protocol",
+                  "exact (default), window:FRAMES or radius:METRES",
+                  false,
+                  "exact",
+                  "PROTOCOL",
+                  command};
+    Text sensor{"",
+                "truth-sensor",
+                "Of a rawlog: label of the sensor whose poses are the truth",
+                false,
+                "",
+                "LABEL",
+                command};
+    Text truth{"g",
+               "ground-truth",
+               "As for loop-closure-eval: precision, recall and trajectory errors go into the page",
+               false,
+               "",
+               "FILE",
+               command};
+    Text output{"o",
+                "output",
+                "Of --compare: the page (comparison.html)",
+                false,
+                "comparison.html",
+                "FILE",
+                command};
+    TCLAP::SwitchArg compare{
+        "c", "compare", "Compares two output folders of rawlog-loop-closure: DIR DIR", command};
+    TCLAP::UnlabeledMultiArg<std::string> compared{
+        "compared", "Of --compare", false, "DIR", command};
+    Text run{"r", "run", "Output folder of rawlog-loop-closure", false, "", "DIR", command};
+
+    /** \throw fild::WrongUsage */
+    void require_sense()
+    {
+        if (run.isSet() == compare.isSet())
+            throw fild::WrongUsage("give either --run DIR or --compare DIR1 DIR2");
+        if (compared.getValue().size() != (compare.isSet() ? 2U : 0U))
+            throw fild::WrongUsage("two folders belong to --compare, none to --run");
+        if (output.isSet() && !compare.isSet())
+            throw fild::WrongUsage("--output belongs to --compare; --run writes DIR/report.html");
+        if (!truth.isSet() && (protocol.isSet() || sensor.isSet()))
+            throw fild::WrongUsage("--protocol and --truth-sensor belong to --ground-truth");
+    }
+};
+
+/** Nothing when --help or --version was all that was asked for. \throw fild::WrongUsage */
+std::optional<ReportRequest> parse(int argc, char** argv)
+{
+    TCLAP::CmdLine command(
+        "Makes report.html anew out of the results of a run, or a page that compares two runs.",
+        ' ',
+        FILD_VERSION);
+    Arguments given(command);
+    if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
+    given.require_sense();
+
+    ReportRequest request;
+    request.runs = given.compared.getValue();
+    if (given.run.isSet()) request.runs = {given.run.getValue()};
+    request.output = given.output.getValue();
+    request.options.max_pictures = given.pictures.getValue();
+    request.options.picture_width_px = given.width.getValue();
+    request.options.check();
+    if (given.truth.isSet())
+        request.truth = fild::TruthOptions{given.truth.getValue(),
+                                           given.sensor.getValue(),
+                                           fild::parse_protocol(given.protocol.getValue())};
+    return request;
+}
+
+/** What the ground truth says of a run; nothing when there is none. */
+std::optional<fild::ReportTruth> judge(const std::string& folder,
+                                       const std::optional<fild::TruthOptions>& options)
+{
+    if (!options) return std::nullopt;
+    const auto run = fild::read_run(folder);
+    const auto truth = fild::load_truth(*options, run.frames);
+    fild::ReportTruth judged;
+    judged.description = {options->file, truth.content, truth.remarks, options->protocol};
+    judged.evaluation = fild::evaluate_loops(run, *truth.truth);
+    if (!truth.poses) return judged;
+    judged.evaluation.trajectories = fild::evaluate_trajectories(run, *truth.poses, {});
+    judged.poses = truth.poses->frames;
+    return judged;
+}
+
+void make_report(const ReportRequest& request)
+{
+    const auto judged = [&](std::size_t i) -> fild::ComparedRun {
+        return {request.runs[i], judge(request.runs[i], request.truth)};
+    };
+    if (request.runs.size() == 2)
+    {
+        fild::write_html_comparison(judged(0), judged(1), request.options, request.output);
+        std::cout << request.output << "\n";
+        return;
+    }
+    const auto [folder, truth] = judged(0);
+    fild::write_html_report(folder, request.options, truth);
+    std::cout << folder << "/report.html\n";
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    return fild::app_main("loop-closure-report", argc, argv, parse, make_report);
+}

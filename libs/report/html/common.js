@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the pages share: elements, numbers, charts, and the words about a run's frames.
+'use strict';
+
+const data = JSON.parse(document.getElementById('data').textContent);
+
+// ---- Elements and numbers ---------------------------------------------------------------------
+
+const byId = id => document.getElementById(id);
+
+/** A new element with attributes and children, which are elements or text. */
+function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes))
+    if (name === 'onclick') made.addEventListener('click', value);
+    else made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+const known = value => value !== null && value !== undefined;
+const number = (value, digits = 0) => known(value)
+  ? value.toLocaleString('en', {minimumFractionDigits: digits, maximumFractionDigits: digits}) : '-';
+const share = value => number(value, 3);
+const bytes = value => value >= 1e9 ? number(value / 1e9, 2) + ' GB' : number(value / 1e6, 1) + ' MB';
+const plural = (count, thing) => count === 1 ? thing : thing + 's';
+const counting = (count, thing) => `${number(count)} ${plural(count, thing)}`;
+const words = name => name.replaceAll('_', ' ');
+const metres = value => number(value, 2) + ' m';
+/** Metres in the unit that suits them, three digits. */
+const length = value => {
+  const [unit, size] = value >= 1 ? ['m', 1] : value >= 0.01 ? ['cm', 0.01] : value >= 0.001 ? ['mm', 1e-3] : ['\u00b5m', 1e-6];
+  return `${Number((value / size).toPrecision(3))} ${unit}`;
+};
+/** A number that may be of any size. */
+const large = value => Math.abs(value) < 1e6 ? number(value, 1) : value.toExponential(2).replace('e+', 'e');
+
+function clock(seconds) {
+  const whole = Math.round(seconds);
+  const [h, m, s] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
+  return h > 0 ? `${h} h ${m} min` : m > 0 ? `${m} min ${s} s` : `${s} s`;
+}
+
+/** Says in a panel why there is nothing in it. */
+function say(panel, ...reason) {
+  panel.replaceChildren(element('div', {class: 'empty'}, ...reason));
+  panel.style.height = panel.style.aspectRatio = 'auto';
+}
+
+/** A table of cells, which are text; the first column is words, the others are numbers. */
+function tableOf(heads, rows) {
+  const row = (tag, cells) => element('tr', {}, ...cells.map((cell, i) =>
+    element(tag, {class: i ? '' : 'text'}, cell)));
+  return [element('thead', {}, row('th', heads)), element('tbody', {}, ...rows.map(cells => row('td', cells)))];
+}
+
+/** Names and what they are, in words. */
+function factsTable(facts) {
+  return element('div', {class: 'scroll'}, element('table', {class: 'facts'}, element('tbody', {}, ...facts.map(
+    ([name, value]) => element('tr', {}, element('td', {class: 'text'}, name), element('td', {class: 'text'}, String(value)))))));
+}
+
+// ---- Charts -----------------------------------------------------------------------------------
+
+// Okabe and Ito: the colour-blind can tell them apart. Viridis for amounts.
+const palette = ['#0072b2', '#e69f00', '#009e73', '#d55e00', '#cc79a7', '#56b4e9', '#b8a800', '#7f7f7f', '#5b3a8e', '#8c564b'];
+const viridis = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
+const drawings = [];
+
+const colour = name => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
+
+function viridisAt(part) {
+  const at = Math.min(0.9999, Math.max(0, part)) * (viridis.length - 1);
+  return echarts.color.lerp(at - Math.floor(at), [viridis[Math.floor(at)], viridis[Math.floor(at) + 1]]);
+}
+
+/** Draws a chart, again whenever light changes to dark. `options` is called each time. */
+function draw(id, options) {
+  const chart = echarts.init(byId(id), null, {renderer: 'canvas'});
+  const redraw = () => chart.setOption(withDefaults(chart, options(chart)), true);
+  drawings.push({chart, redraw});
+  redraw();
+  return chart;
+}
+
+/** Room for a legend above a chart, pixels: as many lines as its names need. */
+function legendHeight(chart, names) {
+  let [lines, used] = [1, 0];
+  for (const name of new Set(names)) {
+    const width = 32 + 7.2 * name.length;
+    if (used > 0 && used + width > chart.getWidth()) [lines, used] = [lines + 1, 0];
+    used += width;
+  }
+  return 22 * lines;
+}
+
+function withDefaults(chart, options) {
+  const text = {color: colour('faint'), fontSize: 13};
+  const axis = {
+    axisLabel: {...text, hideOverlap: true},
+    axisLine: {onZero: false, lineStyle: {color: colour('line')}},
+    nameTextStyle: text,
+    splitLine: {lineStyle: {color: colour('line'), opacity: 0.6}},
+  };
+  const styled = axes => [].concat(axes || []).map(one =>
+    ({...axis, ...one, axisLabel: {...axis.axisLabel, ...one.axisLabel}}));
+  const top = options.legend ? legendHeight(chart, options.series.map(({name}) => name)) : 0;
+  return {
+    animation: false,
+    color: palette,
+    aria: {enabled: true},
+    textStyle: {fontFamily: getComputedStyle(document.body).fontFamily, fontSize: 13, color: colour('ink')},
+    ...options,
+    grid: {...options.grid, top: options.grid.top + top},
+    ...(options.xAxis ? {xAxis: styled(options.xAxis), yAxis: styled(options.yAxis)} : {}),
+    tooltip: {
+      backgroundColor: colour('page'),
+      borderColor: colour('line'),
+      textStyle: {color: colour('ink')},
+      confine: true,
+      ...options.tooltip,
+    },
+    legend: options.legend
+      ? {textStyle: {color: colour('ink'), fontSize: 13}, top: 0, itemWidth: 14, itemHeight: 10,
+         inactiveColor: colour('line'), ...options.legend} : undefined,
+  };
+}
+
+const frameAxis = frames => ({type: 'value', name: 'frame', nameLocation: 'middle', nameGap: 26, min: 0, minInterval: 1,
+                              max: Math.max(1, frames - 1), splitLine: {show: false}, axisLabel: {showMaxLabel: false}});
+// `top` is counted from below the legend.
+const plotGrid = {left: 64, right: 24, top: 24, bottom: 48};
+const matrixGrid = {left: 64, right: 20, top: 16, bottom: 48};
+const mapGrid = {left: 60, right: 30, top: 20, bottom: 60};
+const zoom = [{type: 'inside', xAxisIndex: 0, filterMode: 'none'}];
+const mapZoom = [{type: 'inside', xAxisIndex: 0, filterMode: 'none'}, {type: 'inside', yAxisIndex: 0, filterMode: 'none'}];
+const roundLabels = {showMinLabel: false, showMaxLabel: false, formatter: value => number(value, 0)};
+
+/** Both axes of a map of these positions, so that a metre is as long in x as in y. */
+function mapAxes(chart, positions, series) {
+  const range = axis => positions.reduce(([a, b], p) => [Math.min(a, p[axis]), Math.max(b, p[axis])], [Infinity, -Infinity]);
+  const [[x0, x1], [y0, y1]] = [range(0), range(1)];
+  const top = mapGrid.top + legendHeight(chart, series.map(({name}) => name));
+  const width = Math.max(50, chart.getWidth() - mapGrid.left - mapGrid.right);
+  const height = Math.max(50, chart.getHeight() - top - mapGrid.bottom);
+  const scale = 1.06 * Math.max((x1 - x0) / width, (y1 - y0) / height, 1e-3);
+  const axis = (name, nameGap, centre, length) => ({
+    type: 'value', name, nameGap, nameLocation: 'middle', axisLabel: roundLabels,
+    min: centre - scale * length / 2, max: centre + scale * length / 2});
+  return {xAxis: axis('x, m', 28, (x0 + x1) / 2, width), yAxis: axis('y, m', 42, (y0 + y1) / 2, height)};
+}
+
+/** A map of these positions, drawn anew when the window changes. */
+function drawMapOf(positions, makeSeries, options) {
+  return draw('map-chart', chart => {
+    const series = makeSeries();
+    return {grid: mapGrid, legend: {icon: 'roundRect'}, dataZoom: mapZoom, series, ...options,
+            ...mapAxes(chart, positions, series)};
+  });
+}
+
+const trajectoryLine = (name, positions, style) => ({
+  name, type: 'line', data: positions.map(p => known(p) ? [p[0], p[1]] : ['-', '-']), showSymbol: false, silent: true, z: 2,
+  lineStyle: {width: 2, ...style}, itemStyle: {color: style.color}});
+
+let drawnWidth = window.innerWidth;
+window.addEventListener('resize', () => {
+  if (window.innerWidth === drawnWidth) return;  // a phone's address bar comes and goes
+  drawnWidth = window.innerWidth;
+  drawings.forEach(({chart, redraw}) => { chart.resize(); redraw(); });
+});
+matchMedia('(prefers-color-scheme: dark)')
+  .addEventListener('change', () => drawings.forEach(({redraw}) => redraw()));
+
+/** Stages that are parts of a frame, in the order of the pipeline. */
+const frameStages = ['image_decoding', 'global_descriptor', 'local_features', 'hashing', 'depth', 'index_insertion',
+                     'index_search', 'matching', 'verification', 'relative_pose'];
+
+const stageColour = stage => palette[frameStages.indexOf(stage)];
+
+/** A bar for each run: the mean time of a frame by stages. `bars` are [name, summary]. */
+function drawStages(id, bars) {
+  const stages = frameStages.filter(stage => bars.some(([, summary]) => summary.stage_times_ms[stage]));
+  const mean = (summary, stage) => (summary.stage_times_ms[stage] || {total: 0}).total / Math.max(1, summary.frames.camera_frames);
+  byId(id).style.height = (window.innerWidth < 640 ? 190 : 110) + 44 * bars.length + 'px';
+  draw(id, () => ({
+    grid: {left: 16, right: 24, top: 12, bottom: 44, containLabel: true},
+    legend: {}, tooltip: {trigger: 'item', valueFormatter: value => number(value, 2) + ' ms'},
+    xAxis: {type: 'value', name: 'ms a frame, on average', nameLocation: 'middle', nameGap: 26},
+    yAxis: {type: 'category', data: bars.map(([name]) => name), axisTick: {show: false}, inverse: true},
+    series: stages.map(stage => ({name: words(stage), type: 'bar', stack: 'all', barMaxWidth: 40, itemStyle: {color: stageColour(stage)},
+                                  data: bars.map(([, summary]) => mean(summary, stage))})),
+  }));
+}
+
+// ---- Frames of a run --------------------------------------------------------------------------
+
+const frameCountOf = run => run.frames.timestamp.length;
+const baseName = path => path.split('/').filter(Boolean).pop() || path;
+
+/** `accepted`, or why not. */
+const verdictOf = (run, frame) => run.frames.rejection[frame] || 'accepted';
+
+const pictureOf = (run, query) => run.pictures[query + '_' + run.frames.candidate[query]];
+
+/** The positions of all frames on the best trajectory that there is. */
+const bestTrajectory = run => run.trajectories.optimized || run.trajectories.input || [];
+
+function captionOf(run, query) {
+  const f = run.frames;
+  const verdict = f.rejection[query] ? `, ${words(f.rejection[query])}` : '';
+  return `frame ${query} at frame ${f.candidate[query]}: ${number(f.inliers[query])} inliers of `
+    + `${number(f.matches[query])} matches, support ${number(f.support[query], 2)}, similarity `
+    + `${number(f.similarity[query], 3)}${verdict}`;
+}
+
+function figureOf(run, query, onclose = null) {
+  const picture = pictureOf(run, query);
+  const caption = element('figcaption', {}, captionOf(run, query));
+  if (onclose) caption.prepend(element('button', {type: 'button', onclick: onclose, 'aria-label': 'close'}, 'close'));
+  const image = picture
+    ? element('img', {src: picture, alt: 'match picture of ' + captionOf(run, query), loading: 'lazy'})
+    : element('div', {class: 'empty'}, 'no picture of this pair was drawn');
+  return element('figure', {}, image, caption);
+}
+
+/** A dozen at a time: the button shows the next ones. */
+function fillGallery(panel, figures, reason) {
+  const atOnce = 12;
+  if (!figures.length) return say(panel, reason);
+  panel.append(...figures.slice(0, atOnce).map(make => make()));
+  const rest = figures.slice(atOnce);
+  if (!rest.length) return;
+  const more = element('button', {type: 'button', class: 'more', onclick: () => {
+    more.remove();
+    fillGallery(panel, rest, reason);
+  }}, `show more (${rest.length})`);
+  panel.append(more);
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+namespace fild
+{
+/** Memory of this process that is in RAM now, bytes. \throw std::runtime_error without /proc. */
+std::size_t resident_memory_bytes();
+
+/** The most of it so far, bytes. */
+std::size_t peak_memory_bytes();
+
+}  // namespace fild

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "data_url.h"
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <openssl/evp.h>
+#include <stdexcept>
+#include <vector>
+
+namespace fild
+{
+namespace
+{
+std::string data_url(const std::string& type, const std::vector<unsigned char>& bytes)
+{
+    std::string base64((bytes.size() + 2) / 3 * 4 + 1, '\0');  // and the zero that OpenSSL appends
+    const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(base64.data()),
+                                       bytes.data(),
+                                       static_cast<int>(bytes.size()));
+    base64.resize(static_cast<std::size_t>(length));
+    return "data:image/" + type + ";base64," + base64;
+}
+}  // namespace
+
+std::string data_url_of_png(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!file || bytes.empty()) throw std::runtime_error("cannot read " + path);
+    return data_url("png", bytes);
+}
+
+std::string data_url_of_picture(const std::string& path, int max_width_px)
+{
+    auto picture = cv::imread(path, cv::IMREAD_COLOR);
+    if (picture.empty()) throw std::runtime_error("cannot read the picture " + path);
+    if (picture.cols > max_width_px)
+    {
+        const double scale = static_cast<double>(max_width_px) / picture.cols;
+        cv::resize(picture, picture, {}, scale, scale, cv::INTER_AREA);
+    }
+    std::vector<unsigned char> jpeg;
+    constexpr int kQuality = 82;
+    if (!cv::imencode(".jpg", picture, jpeg, {cv::IMWRITE_JPEG_QUALITY, kQuality}))
+        throw std::runtime_error("cannot encode the picture " + path);
+    return data_url("jpeg", jpeg);
+}
+
+}  // namespace fild

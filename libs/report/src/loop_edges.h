@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/verdict.h"
+#include "fild/evaluation/frame_poses.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** World from robot for each frame; nothing where a frame has no pose. */
+using PosesOfFrames = std::vector<std::optional<FramePose>>;
+
+/** The poses of a trajectory that were taken at the time of a frame. */
+PosesOfFrames poses_of_frames(const std::vector<TimedPose>& trajectory,
+                              const std::vector<FrameVerdict>& frames);
+
+/** A row for each loop closure: `query`, `candidate`, `inliers` and, as far as loops.csv and the
+ *  trajectories tell, `edge` (used, or why not), `weight`, `translation_sd_m`; how far the edge is
+ *  from the trajectory, `residual_before_m`, `residual_before_deg`, `residual_after_m`,
+ *  `residual_after_deg`; and from the true way between the two positions, `truth_error_m`.
+ *  \param trajectories  `input`, `optimized`, `truth`; the last two in one world.
+ *  \throw std::runtime_error naming the file, when it is not of these frames. */
+nlohmann::ordered_json loops_json(const std::vector<FrameVerdict>& frames,
+                                  const std::string& loops_csv,
+                                  const std::map<std::string, PosesOfFrames>& trajectories);
+
+}  // namespace fild

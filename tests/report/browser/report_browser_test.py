@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Opens the pages of loop-closure-report in a real browser, from disk, and uses them as a reader does.
+
+Usage: report_browser_test.py LOOP_CLOSURE_REPORT SCREENSHOT_FOLDER [unittest arguments]
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from browser import DESKTOP, PHONE, Browser
+from draw_run import Drive, write_run
+
+APP = ""
+SCREENSHOTS = ""
+
+
+def make_report(folder, *arguments):
+    subprocess.run([APP, "--run", folder, *arguments], check=True, capture_output=True)
+    return os.path.join(folder, "report.html")
+
+
+class PageTest(unittest.TestCase):
+    """One browser and one folder for all tests of a class."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.scratch.cleanup)
+        cls.browser = Browser()
+        cls.addClassCleanup(cls.browser.close)
+
+    def path(self, name):
+        return os.path.join(self.scratch.name, name)
+
+    def expect_quiet(self):
+        self.assertEqual(self.browser.errors(), [])
+        self.assertEqual(self.browser.requests(), [])
+
+    def expect_fit(self):
+        width, scrolled = self.browser.run("return [document.documentElement.clientWidth, document.documentElement.scrollWidth]")
+        self.assertLessEqual(scrolled, width)
+        beyond = self.browser.run("""
+            const scrolls = one => one && (getComputedStyle(one).overflowX === 'auto' || scrolls(one.parentElement));
+            return [...document.querySelectorAll('main *')]
+              .filter(one => !scrolls(one) && one.getBoundingClientRect().right > document.documentElement.clientWidth + 1)
+              .map(one => one.outerHTML.slice(0, 100))""")
+        self.assertEqual(beyond, [])
+
+    def expect_sense(self):
+        for word in ("undefined", "NaN", "[object", "null"):
+            self.assertNotIn(word, self.browser.text())
+
+    def look_at(self, page, name):
+        """In both widths, light and dark; keeps pictures."""
+        for width, scheme in ((DESKTOP, "light"), (DESKTOP, "dark"), (PHONE, "light"), (PHONE, "dark")):
+            with self.subTest(name, width=width, scheme=scheme):
+                self.browser.open(page, width, scheme)
+                self.expect_quiet()
+                self.expect_fit()
+                self.expect_sense()
+                kind = "phone" if width == PHONE else "desktop"
+                self.browser.screenshot(os.path.join(SCREENSHOTS, f"{name}_{kind}_{scheme}.png"))
+
+
+class Report(PageTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        folder = os.path.join(cls.scratch.name, "run")
+        write_run(Drive(200), folder)
+        cls.page = make_report(folder, "--ground-truth", os.path.join(folder, "truth.tum"), "--protocol", "radius:5")
+
+    def test_fits_every_screen(self):
+        self.look_at(self.page, "report")
+        self.browser.open(self.page)
+        self.assertEqual(self.browser.count(".chart .empty"), 0)
+
+    def test_follows_the_light(self):
+        shades = []
+        for scheme in ("light", "dark"):
+            self.browser.open(self.page, scheme=scheme)
+            shades.append(self.browser.run("return getComputedStyle(document.body).backgroundColor"))
+        self.assertNotEqual(*shades)
+
+    def test_shows_the_numbers(self):
+        self.browser.open(self.page)
+        cards = self.browser.element("#headline").text
+        for text in ("200\ncamera frames", "80\nloop closures", "1.000\nprecision", "trajectory error (ATE) after"):
+            self.assertIn(text, cards)
+        self.assertIn("--rawlog drive.rawlog", self.browser.element("#run-content").text)
+
+    def point_at_a_loop(self):
+        """Of those that have a picture; returns the frame."""
+        frame, x, y = self.browser.run("""
+            const chart = echarts.getInstanceByDom(byId('map-chart'));
+            const query = run.loops.map(loop => loop.query).find(query => pictureOf(run, query));
+            const at = frame => chart.convertToPixel('grid', bestTrajectory(run)[frame].slice(0, 2));
+            return [query, ...at(query)]""")
+        self.browser.point_at("#map-chart", x, y)
+        return frame
+
+    def test_an_edge_shows_its_picture_and_keeps_it(self):
+        self.browser.open(self.page)
+        frame = self.point_at_a_loop()
+        self.browser.wait_for("const image = document.querySelector('.edge-tooltip img');"
+                              "return image && image.complete && image.naturalWidth > 0 && image.offsetWidth > 0")
+        self.assertIn(f"frame {frame} at frame", self.browser.element(".edge-tooltip").text)
+        self.browser.click()
+        self.browser.wait_for("return document.querySelector('#pinned figure img')?.naturalWidth > 0")
+        self.browser.press("#pinned button")
+        self.assertEqual(self.browser.count("#pinned figure"), 0)
+        self.expect_quiet()
+
+    def test_the_map_zooms(self):
+        self.browser.open(self.page)
+        extent = "return echarts.getInstanceByDom(byId('map-chart')).convertFromPixel('grid', [100, 100])"
+        before = self.browser.run(extent)
+        self.point_at_a_loop()
+        self.browser.turn_wheel("#map-chart")
+        self.browser.wait_for(f"return (() => {{ {extent} }})()[0] !== {before[0]}")
+
+    def test_the_table_filters(self):
+        self.browser.open(self.page)
+        rows = "return document.querySelectorAll('#frames tbody tr').length"
+        self.assertEqual(self.browser.run(rows), 25)
+        self.browser.element("#filter-frame").send_keys("120-129")
+        self.assertEqual(self.browser.run(rows), 10)
+        self.browser.run("byId('filter-verdict').value = 'accepted'; byId('filter').dispatchEvent(new Event('input'))")
+        self.assertEqual(self.browser.run(rows), 8)
+        self.assertIn("8 of 200 frames", self.browser.element("#filter-count").text)
+        self.browser.element("#filter-frame").clear()
+        self.browser.element("#filter-frame").send_keys("no number")
+        self.assertEqual(self.browser.run(rows), 0)
+
+    def test_a_bar_filters_the_table(self):
+        self.browser.open(self.page)
+        x, y = self.browser.run("""
+            const chart = echarts.getInstanceByDom(byId('reasons-chart'));
+            const names = chart.getOption().yAxis[0].data;
+            return chart.convertToPixel('grid', [50, names.indexOf('too early')])""")
+        self.browser.point_at("#reasons-chart", x, y)
+        self.browser.click()
+        self.assertIn("100 of 200 frames", self.browser.element("#filter-count").text)
+        self.browser.press("#pager button:last-child")
+        self.assertIn("page 2 of 4", self.browser.element("#pager").text)
+
+    def test_tells_how_alike_two_frames_are(self):
+        self.browser.open(self.page)
+        x, y = self.browser.run("return echarts.getInstanceByDom(byId('matrix-chart')).convertToPixel('grid', [20.5, 120.5])")
+        self.browser.point_at("#matrix-chart", x, y)
+        self.browser.wait_for("return byId('matrix-status').textContent.startsWith('frame 120 and frame 20: ')")
+
+    def test_needs_no_truth(self):
+        folder = self.path("untold")
+        write_run(Drive(40), folder)
+        self.browser.open(make_report(folder))
+        self.expect_quiet()
+        self.assertNotIn("precision", self.browser.element("#headline").text)
+
+
+class ReportOfAnUnusualRun(PageTest):
+    def report_of(self, name, drive):
+        folder = self.path(name)
+        write_run(drive, folder)
+        page = make_report(folder)
+        self.look_at(page, name)
+        self.browser.open(page)
+        return page
+
+    def reason(self, panel):
+        return self.browser.element(f"#{panel} .empty").text
+
+    def test_without_metric_edges(self):
+        self.report_of("no_edges", Drive(60, trajectory=False))
+        self.assertIn("no odometry", self.reason("map-chart"))
+        self.assertIn("no odometry", self.reason("graph-content"))
+        self.assertGreater(self.browser.count("#gallery figure"), 0)
+
+    def test_without_loops(self):
+        self.report_of("no_loops", Drive(60, loops=False))
+        self.assertIn("no loop closure", self.reason("gallery"))
+        self.assertIn("no loop closure", self.reason("edges-chart"))
+        self.assertEqual(self.browser.count("#map-chart .empty"), 0)
+
+    def test_of_a_single_frame(self):
+        self.report_of("single_frame", Drive(1))
+        self.assertIn("single position", self.reason("map-chart"))
+        self.assertIn("no frame had a candidate", self.reason("inliers-chart"))
+        self.assertIn("single frame", self.reason("matrix-chart"))
+
+    def test_of_five_thousand_frames(self):
+        page = self.report_of("large", Drive(5000))
+        self.assertLess(os.path.getsize(page), 25e6)
+
+
+class Comparison(PageTest):
+    def compare(self, first, second):
+        page = self.path("comparison.html")
+        subprocess.run([APP, "--compare", first, second, "--output", page], check=True, capture_output=True)
+        return page
+
+    def test_lays_two_runs_side_by_side(self):
+        first, second = self.path("first"), self.path("second")
+        write_run(Drive(200), first)
+        write_run(Drive(200, loops=False, seed=2), second, {"index": {"backend": "exact"}})
+        page = self.compare(first, second)
+        self.look_at(page, "comparison")
+        self.browser.open(page)
+        self.assertIn("80 0", self.browser.element("#metrics").text)
+        self.assertIn("[index] backend hnsw exact", self.browser.element("#differing-options").text)
+        self.assertIn("Only in first: 80", self.browser.element("#only-first-title").text)
+        self.assertGreater(self.browser.count("#only-first .pair figure img"), 0)
+        self.assertIn("none", self.browser.element("#only-second").text)
+
+    def test_of_a_run_with_itself_finds_no_difference(self):
+        folder = self.path("same")
+        write_run(Drive(20), folder)
+        self.browser.open(self.compare(folder, folder))
+        self.expect_quiet()
+        self.assertIn("same options", self.browser.element("#differing-options").text)
+
+
+if __name__ == "__main__":
+    APP, SCREENSHOTS = map(os.path.abspath, sys.argv[1:3])
+    os.makedirs(SCREENSHOTS, exist_ok=True)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=2)

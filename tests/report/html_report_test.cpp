@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/report/html_report.h"
+
+#include "message_of.h"
+#include "run_folder_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using fild::testing::data_of_page;
+using fild::testing::frame_at;
+using fild::testing::loop_at;
+using fild::testing::read_text;
+using fild::testing::rejected_at;
+using fild::testing::RunFolderFiles;
+using fild::testing::write_text;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+nlohmann::json report_of(const RunFolderFiles& run, const fild::TReportOptions& options = {})
+{
+    fild::write_html_report(run.path(), options);
+    return data_of_page(run.path("report.html"));
+}
+
+std::string error_of(const RunFolderFiles& run)
+{
+    return fild::testing::message_of<std::runtime_error>(
+        [&] { fild::write_html_report(run.path(), {}); });
+}
+
+/** Frames 0 and 1, then 2 and 3 that are back at them. */
+std::vector<fild::FrameVerdict> two_laps()
+{
+    return {frame_at(0), frame_at(1), loop_at(2, 0), loop_at(3, 1)};
+}
+
+TEST(HtmlReport, HoldsTheRunAndNeedsNothingElse)
+{
+    const RunFolderFiles run(two_laps());
+    run.add_match_picture(loop_at(2, 0));
+    const auto data = report_of(run);
+    EXPECT_EQ(data["frames"]["timestamp"].size(), 4U);
+    EXPECT_EQ(data["loops"].size(), 2U);
+    EXPECT_EQ(data["loops"][0]["candidate"], 0);
+    EXPECT_EQ(data["pictures"].size(), 1U);
+    EXPECT_THAT(data["pictures"]["2_0"].get<std::string>(), StartsWith("data:image/jpeg;base64,"));
+    EXPECT_EQ(data["summary"]["options"]["runtime"]["seed"], "1");
+    const auto page = read_text(run.path("report.html"));
+    EXPECT_THAT(page, AllOf(HasSubstr("Apache License"), Not(HasSubstr("src=\"http"))));
+}
+
+TEST(HtmlReport, GivesTheSameBytesAgain)
+{
+    const RunFolderFiles run(two_laps());
+    report_of(run);
+    const auto first = read_text(run.path("report.html"));
+    report_of(run);
+    EXPECT_EQ(read_text(run.path("report.html")), first);
+}
+
+TEST(HtmlReport, LetsNoTextEndItsScript)
+{
+    RunFolderFiles run(two_laps());
+    run.summary().rawlog = "</script><script>alert('&amp;')</script>@DATA@";
+    run.write();
+    EXPECT_EQ(report_of(run)["summary"]["rawlog"], run.summary().rawlog);
+}
+
+TEST(HtmlReport, BoundsItsPictures)
+{
+    std::vector<fild::FrameVerdict> frames = {frame_at(0)};
+    for (std::size_t i = 1; i <= 8; ++i)
+        frames.push_back(i <= 4 ? loop_at(i, 0) : rejected_at(i, 0, 0.1 * static_cast<double>(i)));
+    const RunFolderFiles run(frames);
+    for (std::size_t i = 1; i < frames.size(); ++i) run.add_match_picture(frames[i]);
+    EXPECT_EQ(report_of(run)["pictures"].size(), 8U);
+    fild::TReportOptions options;
+    options.max_pictures = 4;
+    options.picture_width_px = 100;
+    const auto pictures = report_of(run, options)["pictures"];
+    EXPECT_EQ(pictures.size(), 4U);
+    EXPECT_TRUE(pictures.contains("8_0"));  // the strongest two of the rejected ones
+    EXPECT_TRUE(pictures.contains("7_0"));
+    options.max_pictures = 0;
+    EXPECT_TRUE(report_of(run, options)["pictures"].empty());
+}
+
+TEST(HtmlReport, TellsHowFarEdgesAreFromTheTrajectory)
+{
+    fild::LoopRow edge;
+    edge.candidate_from_query = {1, 0, 0, 0, 0, 0};  // the query is 1 m ahead of the candidate
+    edge.deviations = {0.3, 0.4, 0, 0.01, 0.01, 0.01};
+    edge.weight = 1;
+    edge.edge = "used";
+    const RunFolderFiles run({frame_at(0), loop_at(1, 0)}, {edge});
+    // The candidate looks along y, so 1 m ahead of it is (5, 1); the quaternion is a yaw of 90
+    // degrees.
+    const std::string pose_0 = "1000.000000 5 0 0 0 0 0.707106781 0.707106781\n";
+    write_text(run.path("trajectory_input.tum"),
+               pose_0 + "1000.100000 5 4 0 0 0 0.707106781 0.707106781\n");
+    write_text(run.path("trajectory_optimized.tum"), pose_0 + "1000.100000 5 1 0 0 0 0 1\n");
+    const auto data = report_of(run);
+    const auto& loop = data["loops"][0];
+    EXPECT_NEAR(loop["residual_before_m"].get<double>(), 3, 1e-4);
+    EXPECT_NEAR(loop["residual_before_deg"].get<double>(), 0, 1e-2);
+    EXPECT_NEAR(loop["residual_after_m"].get<double>(), 0, 1e-4);
+    EXPECT_NEAR(loop["residual_after_deg"].get<double>(), 90, 1e-2);
+    EXPECT_NEAR(loop["translation_sd_m"].get<double>(), 0.5, 1e-4);
+    EXPECT_EQ(data["trajectories"]["input"][1], (std::vector<double>{5, 4, 0}));
+}
+
+TEST(HtmlReport, NamesTheFileThatIsMissingOrCutOff)
+{
+    const RunFolderFiles run(two_laps());
+    EXPECT_THAT(fild::testing::message_of<std::runtime_error>(
+                    [] { fild::write_html_report("no/such/run", {}); }),
+                HasSubstr("no/such/run/summary.json"));
+
+    const auto frames = read_text(run.path("frames.csv"));
+    for (const auto lost :
+         {std::size_t{10}, frames.size() - frames.rfind('\n', frames.size() - 2) - 1})
+    {
+        write_text(run.path("frames.csv"), frames.substr(0, frames.size() - lost));
+        EXPECT_THAT(error_of(run), HasSubstr(run.path("frames.csv"))) << lost;
+    }
+    write_text(run.path("frames.csv"), frames);
+
+    const auto loops = read_text(run.path("loops.csv"));
+    write_text(run.path("loops.csv"), loops.substr(0, loops.size() - 5));
+    EXPECT_THAT(error_of(run), HasSubstr(run.path("loops.csv")));
+    write_text(run.path("loops.csv"), loops.substr(0, loops.find('\n') + 1));
+    EXPECT_THAT(error_of(run), HasSubstr(run.path("loops.csv")));
+    write_text(run.path("loops.csv"), loops);
+
+    write_text(run.path("costs.csv"), "frame,hashing_ms,map_bytes,resident_bytes\n0,1.5,");
+    EXPECT_THAT(error_of(run), HasSubstr(run.path("costs.csv")));
+    std::filesystem::remove(run.path("costs.csv"));
+
+    std::filesystem::create_directories(run.path("matches"));
+    write_text(run.path("matches/2_0.png"), "no picture");
+    EXPECT_THAT(error_of(run), HasSubstr("matches/2_0.png"));
+    std::filesystem::remove_all(run.path("matches"));
+
+    write_text(run.path("summary.json"), "{\"rawlog\":");
+    EXPECT_THAT(error_of(run), HasSubstr(run.path("summary.json")));
+    EXPECT_FALSE(std::filesystem::exists(run.path("report.html")));
+}
+
+TEST(HtmlComparison, HoldsBothRunsAndPicturesOfWhatDiffers)
+{
+    const RunFolderFiles first(two_laps());
+    const RunFolderFiles second({frame_at(0), frame_at(1), loop_at(2, 0), rejected_at(3, 0, 0.5)});
+    for (const auto* run : {&first, &second}) run->add_match_picture(loop_at(2, 0));
+    first.add_match_picture(loop_at(3, 1));
+    second.add_match_picture(rejected_at(3, 0, 0.5));
+    const auto page = first.path("comparison.html");
+    fild::write_html_comparison({first.path(), {}}, {second.path(), {}}, {}, page);
+    const auto runs = data_of_page(page)["runs"];
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[0]["folder"], first.path());
+    EXPECT_EQ(runs[0]["pictures"].size(), 1U);  // not of frame 2, which both have
+    EXPECT_TRUE(runs[0]["pictures"].contains("3_1"));
+    EXPECT_TRUE(runs[1]["pictures"].contains("3_0"));
+}
+
+TEST(HtmlComparison, RefusesRunsOfDifferentRecordings)
+{
+    const RunFolderFiles first(two_laps());
+    auto frames = two_laps();
+    frames[1].timestamp += 0.05;
+    const RunFolderFiles second(frames);
+    EXPECT_THAT(fild::testing::message_of<std::runtime_error>(
+                    [&]
+                    {
+                        fild::write_html_comparison(
+                            {first.path(), {}}, {second.path(), {}}, {}, first.path("page.html"));
+                    }),
+                AllOf(HasSubstr(first.path()), HasSubstr(second.path()), HasSubstr("frame 1")));
+}
+
+}  // namespace
