@@ -5,6 +5,7 @@
 #include <csignal>
 #include <ctime>
 #include <initializer_list>
+#include <stdexcept>
 
 namespace fild
 {
@@ -40,6 +41,11 @@ void catch_interruption()
 bool interrupted()
 {
     return stop_asked != 0;
+}
+
+void throw_if_interrupted()
+{
+    if (interrupted()) throw std::runtime_error("interrupted");
 }
 
 }  // namespace fild

@@ -11,4 +11,7 @@ void catch_interruption();
 /** True once the user has asked to stop. */
 bool interrupted();
 
+/** \throw std::runtime_error "interrupted" once the user has asked to stop. */
+void throw_if_interrupted();
+
 }  // namespace fild

@@ -44,8 +44,10 @@ if [ -z "$input" ]; then
 elif [ -d "$input" ]; then
   convert images --images "$input" --rate "${DEMO_RATE:-1}"
 fi
-find_loops
-if [ -z "$input" ]; then
+if [ -n "$input" ]; then
+  find_loops
+else
+  find_loops "$output/town.gt.tum" radius:5
   for protocol in exact window:10; do score "$output/town.loops.txt" "$protocol"; done
 fi
 say_where_results_are

@@ -34,24 +34,6 @@ LICENSE and NOTICE go into every report.
 USAGE
 }
 
-parse_arguments() {
-    output=${XDG_DATA_HOME:-$HOME/.local/share}/mrpt-fild/echarts
-    while (($#)); do
-        case $1 in
-        --help)
-            usage
-            exit 0
-            ;;
-        --output)
-            if (($# < 2)) || [[ -z $2 ]]; then wrong_usage "--output needs a folder name"; fi
-            output=$2
-            shift 2
-            ;;
-        *) wrong_usage "unknown argument '$1'; see --help" ;;
-        esac
-    done
-}
-
 is_intact() {
     local i path
     for i in "${!files[@]}"; do
@@ -72,7 +54,7 @@ install_charts() {
     echo "wrote $output"
 }
 
-parse_arguments "$@"
+parse_arguments echarts "a folder name" "$@"
 if is_intact "$output"; then
     echo "$output is already there and intact"
     exit 0

@@ -38,24 +38,6 @@ Licence: the network is Apache-2.0 (MediaPipe, by Google). It is fetched, not pa
 EOF
 }
 
-parse_arguments() {
-    output=${XDG_DATA_HOME:-$HOME/.local/share}/mrpt-fild/mobilenet_v2_objectron.onnx
-    while (($#)); do
-        case $1 in
-        --help)
-            usage
-            exit 0
-            ;;
-        --output)
-            if (($# < 2)) || [[ -z $2 ]]; then wrong_usage "--output needs a file name"; fi
-            output=$2
-            shift 2
-            ;;
-        *) wrong_usage "unknown argument '$1'; see --help" ;;
-        esac
-    done
-}
-
 # True when FILE is the recorded conversion, or the one that an earlier run noted beside it.
 is_intact() {
     local got noted=
@@ -110,7 +92,7 @@ install_model() {
     echo "wrote $output (sha256 $got)"
 }
 
-parse_arguments "$@"
+parse_arguments mobilenet_v2_objectron.onnx "a file name" "$@"
 if is_intact "$output"; then
     echo "$output is already there and intact"
     exit 0

@@ -67,10 +67,11 @@ echo "KITTI odometry $sequence: $images of $whole images$([ -d "$folder/image_1"
 prepare_apps
 mkdir -p "$output"
 convert "kitti_$sequence" --format kitti --images "$folder"
-find_loops
 if [ -f "$poses" ]; then
+  find_loops "$poses" radius:5
   score "$poses" radius:5
 else
+  find_loops
   echo "No $poses: no score by distance."
 fi
 score_labels

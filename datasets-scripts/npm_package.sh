@@ -12,6 +12,28 @@ wrong_usage() {
     exit 2
 }
 
+# parse_arguments NAME WHAT ARGUMENT...: sets output, which is NAME beside the data of mrpt-fild unless --output
+# gives another WHAT. Calls usage for --help.
+parse_arguments() {
+    output=${XDG_DATA_HOME:-$HOME/.local/share}/mrpt-fild/$1
+    local what=$2
+    shift 2
+    while (($#)); do
+        case $1 in
+        --help)
+            usage
+            exit 0
+            ;;
+        --output)
+            if (($# < 2)) || [[ -z $2 ]]; then wrong_usage "--output needs $what"; fi
+            output=$2
+            shift 2
+            ;;
+        *) wrong_usage "unknown argument '$1'; see --help" ;;
+        esac
+    done
+}
+
 # sum_of TOOL FILE: the bare checksum. Read from stdin, so that no file name is escaped into the line.
 sum_of() {
     "$1" <"$2" | cut -d ' ' -f 1

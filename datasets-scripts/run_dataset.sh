@@ -137,15 +137,16 @@ convert() {
   run_app images-to-rawlog --output "$rawlog" "$@"
 }
 
-# find_loops: the main job on $rawlog with $config, and with $images_dir instead of the usual one if that
-# is set. The scores of an earlier run go, as its results do.
+# find_loops [TRUTH PROTOCOL]: the main job on $rawlog with $config, and with $images_dir instead of the usual
+# one if that is set; TRUTH goes into its report. The scores of an earlier run go, as its results do.
 images_dir=
 find_loops() {
   rm -f "$output"/evaluation/*/{evaluation.{json,tex},precision_recall.svg} \
     "$output"/evaluation/*/{wrong_loops,missed_loops,curve_inliers,curve_similarity,stretches,runs}.csv
   [ ! -d "$output/evaluation" ] || find "$output/evaluation" -depth -type d -empty -delete
   run_app rawlog-loop-closure --rawlog "$rawlog" --config "$config" --output "$output" \
-    ${images_dir:+--set "input.images_dir=$images_dir"}
+    ${images_dir:+--set "input.images_dir=$images_dir"} \
+    ${1:+--ground-truth "$1" --protocol "$2"}
 }
 
 # score TRUTH PROTOCOL [ARGUMENT]...: prints the score, and writes it into $output/evaluation/.
@@ -172,6 +173,7 @@ say_where_results_are() {
 
 Results are in $output:
   report.html   all of it to look at, in a browser
+  map_top.png   the map, where there is one; map_perspective.png and map.3Dscene, for SceneViewer3D
   frames.csv    every camera frame with its verdict and the reason
   loops.csv     the loop closures, with metric pose and weight where there is scale
   matches/      pictures of them

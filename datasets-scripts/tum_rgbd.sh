@@ -54,10 +54,11 @@ write_calibration \
   "freiburg$camera, colour camera: https://cvg.cit.tum.de/data/datasets/rgbd-dataset/file_formats" \
   "$intrinsics"
 convert tum_rgbd --format tum --images "$dataset" --calib "$calibration"
-find_loops
 if [ -f "$output/tum_rgbd.gt.tum" ]; then
+  find_loops "$output/tum_rgbd.gt.tum" radius:0.5
   score "$output/tum_rgbd.gt.tum" radius:0.5 --max-angle 30
 else
+  find_loops
   echo "No groundtruth.txt: no score."
 fi
 say_where_results_are

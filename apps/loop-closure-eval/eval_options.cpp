@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval_options.h"
 
-#include "app_main.h"
+#include "truth_arguments.h"
 
 #include <cmath>
 
@@ -101,27 +101,7 @@ struct Arguments
                defaults.max_angle_deg,
                "DEGREES",
                command};
-    Text protocol{"p",
-                  "protocol",
-                  "exact (default), window:FRAMES or radius:METRES",
-                  false,
-                  "exact",
-                  "PROTOCOL",
-                  command};
-    Text sensor{"",
-                "truth-sensor",
-                "Of a rawlog: label of the sensor whose poses are the truth",
-                false,
-                "",
-                "LABEL",
-                command};
-    Text truth{"g",
-               "ground-truth",
-               "List of loops, MATLAB loop matrix, TUM or KITTI poses, rawlog with poses or GPS",
-               true,
-               "",
-               "FILE",
-               command};
+    TruthArguments truth{command, true};
     Texts run{"r",
               "run",
               "Results of rawlog-loop-closure; several: of one recording, other seeds",
@@ -175,7 +155,8 @@ void check(const Arguments& a, const EvalOptions& options)
         if (!(length > 0 && std::isfinite(length))) throw WrongUsage("--step must be above 0");
     if (!options.trajectories.empty() && options.runs.size() > 1)
         throw WrongUsage("--trajectory is for one --run");
-    if (a.sensor.isSet() && !is_rawlog(options.truth.file) && !is_rawlog(options.true_trajectory))
+    if (a.truth.sensor.isSet() && !is_rawlog(options.truth.file) &&
+        !is_rawlog(options.true_trajectory))
         throw WrongUsage("--truth-sensor is for a rawlog as ground truth");
 }
 
@@ -212,9 +193,7 @@ std::optional<EvalOptions> parse_eval_options(int argc, char** argv)
 
     EvalOptions options;
     options.runs = arguments.run.getValue();
-    options.truth.file = arguments.truth.getValue();
-    options.truth.sensor = arguments.sensor.getValue();
-    options.truth.protocol = parse_protocol(arguments.protocol.getValue());
+    options.truth = *arguments.truth.options();
     options.truth.protocol.max_angle_deg = arguments.angle.getValue();
     options.truth.protocol.min_age_seconds = arguments.age.getValue();
     options.trajectories = arguments.trajectory.getValue();

@@ -127,7 +127,7 @@ std::vector<FrameVerdict> frames_of(const SweepRequest& request, const TInputOpt
                        frames.push_back(frame);
                        builder.skip(observation);
                    });
-    if (interrupted()) throw std::runtime_error("interrupted");
+    throw_if_interrupted();
     if (frames.empty())
         throw std::runtime_error(request.rawlog +
                                  " has no camera observation of the wanted camera; " +

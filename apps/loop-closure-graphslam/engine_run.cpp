@@ -158,7 +158,7 @@ class EngineRun
         ProgressLine progress(request_.quiet || !request_.with_loops, "loop edges");
         while (true)
         {
-            if (interrupted()) throw std::runtime_error("interrupted");
+            throw_if_interrupted();
             auto [observation, actions] = reader.next_entry();
             if (!observation && !actions) break;
             take(std::move(observation), std::move(actions));

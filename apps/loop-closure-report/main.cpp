@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // loop-closure-report: makes report.html anew out of the results of a run, or compares two runs.
 #include "app_main.h"
-#include "fild/report/html_report.h"
-#include "truth.h"
+#include "judged_run.h"
+#include "truth_arguments.h"
 
 #include <optional>
 #include <string>
@@ -29,7 +29,7 @@ struct Arguments
     const fild::TReportOptions defaults{};
     TCLAP::ValueArg<int> width{"",
                                "picture-width",
-                               "Wider pictures are scaled down (800)",
+                               "Wider pictures are scaled down (700)",
                                false,
                                defaults.picture_width_px,
                                "PIXELS",
@@ -41,27 +41,7 @@ struct Arguments
                                   defaults.max_pictures,
                                   "COUNT",
                                   command};
-    Text protocol{"p",
-                  "protocol",
-                  "exact (default), window:FRAMES or radius:METRES",
-                  false,
-                  "exact",
-                  "PROTOCOL",
-                  command};
-    Text sensor{"",
-                "truth-sensor",
-                "Of a rawlog: label of the sensor whose poses are the truth",
-                false,
-                "",
-                "LABEL",
-                command};
-    Text truth{"g",
-               "ground-truth",
-               "As for loop-closure-eval: precision, recall and trajectory errors go into the page",
-               false,
-               "",
-               "FILE",
-               command};
+    fild::TruthArguments truth{command, false};
     Text output{"o",
                 "output",
                 "Of --compare: the page (comparison.html)",
@@ -84,8 +64,6 @@ struct Arguments
             throw fild::WrongUsage("two folders belong to --compare, none to --run");
         if (output.isSet() && !compare.isSet())
             throw fild::WrongUsage("--output belongs to --compare; --run writes DIR/report.html");
-        if (!truth.isSet() && (protocol.isSet() || sensor.isSet()))
-            throw fild::WrongUsage("--protocol and --truth-sensor belong to --ground-truth");
     }
 };
 
@@ -107,33 +85,17 @@ std::optional<ReportRequest> parse(int argc, char** argv)
     request.options.max_pictures = given.pictures.getValue();
     request.options.picture_width_px = given.width.getValue();
     request.options.check();
-    if (given.truth.isSet())
-        request.truth = fild::TruthOptions{given.truth.getValue(),
-                                           given.sensor.getValue(),
-                                           fild::parse_protocol(given.protocol.getValue())};
+    request.truth = given.truth.options();
     return request;
-}
-
-/** What the ground truth says of a run; nothing when there is none. */
-std::optional<fild::ReportTruth> judge(const std::string& folder,
-                                       const std::optional<fild::TruthOptions>& options)
-{
-    if (!options) return std::nullopt;
-    const auto run = fild::read_run(folder);
-    const auto truth = fild::load_truth(*options, run.frames);
-    fild::ReportTruth judged;
-    judged.description = {options->file, truth.content, truth.remarks, options->protocol};
-    judged.evaluation = fild::evaluate_loops(run, *truth.truth);
-    if (!truth.poses) return judged;
-    judged.evaluation.trajectories = fild::evaluate_trajectories(run, *truth.poses, {});
-    judged.poses = truth.poses->frames;
-    return judged;
 }
 
 void make_report(const ReportRequest& request)
 {
-    const auto judged = [&](std::size_t i) -> fild::ComparedRun {
-        return {request.runs[i], judge(request.runs[i], request.truth)};
+    const auto judged = [&](std::size_t i)
+    {
+        fild::ComparedRun run{request.runs[i], std::nullopt};
+        if (request.truth) run.truth = fild::judge_run(run.folder, *request.truth);
+        return run;
     };
     if (request.runs.size() == 2)
     {

@@ -6,8 +6,10 @@
 #include "fild/render/render_options.h"
 #include "fild/report/report_options.h"
 #include "fild/stream/loop_closure_stream.h"
+#include "truth.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,13 +35,14 @@ struct RunRequest
     std::string output;  ///< folder
     std::size_t max_frames = 0;  ///< 0: all
     bool quiet = false;
+    std::optional<TruthOptions> truth;
     TRunOptions options;
 };
 
 /** Runs the detector over the rawlog, builds the map, and writes frames.csv, loops.csv,
- *  candidates.csv, costs.csv, the files of the map (write_map_files()), similarity.png,
- *  matches/QUERY_CANDIDATE.png, summary.json and report.html into the output folder; each appears
- *  when it is whole.
+ *  candidates.csv, costs.csv, the files of the map (write_map_files()), its pictures
+ *  (write_map_pictures()), similarity.png, matches/QUERY_CANDIDATE.jpg, summary.json and
+ *  report.html into the output folder; each appears when it is whole.
  *
  *  When the rawlog breaks off, an error stops the run or the user interrupts it, the results of the
  *  frames before are written all the same, summary.json says why it ended, and then the error is

@@ -3,6 +3,7 @@
 #include "app_main.h"
 #include "fild/core/ini_file.h"
 #include "loop_closure_run.h"
+#include "truth_arguments.h"
 
 #include <optional>
 #include <string>
@@ -41,6 +42,7 @@ std::optional<fild::RunRequest> parse(int argc, char** argv)
         "Finds where the camera of a rawlog returns to a known place, and makes a map of it.",
         ' ',
         FILD_VERSION);
+    fild::TruthArguments truth(command, false);
     TCLAP::SwitchArg quiet("q", "quiet", "No progress line", command);
     TCLAP::ValueArg<int> max_frames(
         "n", "max-frames", "Stop after so many camera frames", false, 1, "FRAMES", command);
@@ -58,6 +60,7 @@ std::optional<fild::RunRequest> parse(int argc, char** argv)
     request.output = output.getValue();
     if (max_frames.isSet()) request.max_frames = static_cast<std::size_t>(max_frames.getValue());
     request.quiet = quiet.getValue();
+    request.truth = truth.options();
     auto ini = fild::load_ini_file(config.getValue());
     fild::apply_overrides(ini, overrides.getValue());
     fild::load_sections(ini, request.options.sections());

@@ -154,7 +154,10 @@ void remove_map_files(const OutputFolder& folder)
                              "trajectory_optimized.tum",
                              "trajectory_input.kitti",
                              "trajectory_optimized.kitti",
-                             "map.simplemap"})
+                             "map.simplemap",
+                             "map.3Dscene",
+                             "map_top.png",
+                             "map_perspective.png"})
         std::filesystem::remove(folder.file(name));
 }
 

@@ -22,7 +22,7 @@ struct MappedRawlog
     std::size_t camera_frames = 0;
 };
 
-/** Removes the map of an earlier run into the folder. */
+/** Removes the map of an earlier run into the folder, and its pictures. */
 void remove_map_files(const OutputFolder& folder);
 
 /** Writes poses.graph, poses.g2o, trajectory_input.* and trajectory_optimized.* (.tum or .kitti)

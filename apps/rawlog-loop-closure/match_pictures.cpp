@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "match_pictures.h"
 
-#include "fild/core/whole_file.h"
-#include "fild/rawlog/frame_builder.h"
-#include "fild/rawlog/rawlog_reader.h"
-#include "fild/render/match_picture.h"
+#include "fild/core/parallel_for.h"
+#include "fild/rawlog/pose_conversion.h"
+#include "frame_pass.h"
 #include "interruption.h"
+#include "picture_file.h"
 
-#include <mrpt/obs/CObservation.h>
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
 #include <filesystem>
+#include <future>
 #include <map>
-#include <stdexcept>
+#include <set>
 #include <utility>
 
 namespace fild
 {
 namespace
 {
-/** Candidate images on their way to their last picture, as JPEG: thousands can be waiting at once.
- */
+/** Candidate images on their way to their last picture: thousands can be waiting at once, so that
+ *  those beyond some memory wait as JPEG. */
 class CandidateImages
 {
  public:
@@ -34,65 +34,61 @@ class CandidateImages
 
     void store(const Frame& frame)
     {
-        cv::imencode(
-            ".jpg", frame.image, waiting_.at(frame.id).jpeg, {cv::IMWRITE_JPEG_QUALITY, 95});
+        constexpr std::size_t kRoom = 64U << 20U;  // bytes
+        auto& entry = waiting_.at(frame.id);
+        const auto size = bytes_of(frame.image);
+        if (held_ + size <= kRoom)
+        {
+            entry.image = frame.image;
+            held_ += size;
+        }
+        else
+            cv::imencode(".jpg", frame.image, entry.jpeg, {cv::IMWRITE_JPEG_QUALITY, 95});
     }
 
     cv::Mat take(FrameId frame)
     {
         auto& entry = waiting_.at(frame);
-        cv::Mat image = cv::imdecode(entry.jpeg, cv::IMREAD_UNCHANGED);
-        if (--entry.pictures == 0) waiting_.erase(frame);
+        cv::Mat image =
+            entry.image.empty() ? cv::imdecode(entry.jpeg, cv::IMREAD_UNCHANGED) : entry.image;
+        if (--entry.pictures == 0)
+        {
+            held_ -= bytes_of(entry.image);
+            waiting_.erase(frame);
+        }
         return image;
     }
 
  private:
+    static std::size_t bytes_of(const cv::Mat& image) { return image.total() * image.elemSize(); }
+
     struct Entry
     {
         std::size_t pictures = 0;  ///< still to be drawn with this image
-        std::vector<unsigned char> jpeg;
+        cv::Mat image;
+        std::vector<unsigned char> jpeg;  ///< instead
     };
     std::map<FrameId, Entry> waiting_;
+    std::size_t held_ = 0;  ///< bytes in images
 };
 
-LoopPicture to_loop_picture(const DetectorOutcome& outcome, double candidate_timestamp)
-{
-    LoopPicture loop{outcome.verdict, candidate_timestamp, {}};
-    for (const auto k : outcome.inliers) loop.inliers.push_back(outcome.matches[k]);
-    return loop;
-}
-
-std::string picture_name(const FrameVerdict& verdict)
+std::string picture_name(const FrameVerdict& verdict, const std::string& variant = "")
 {
     return std::to_string(to_index(verdict.frame)) + "_" +
-           std::to_string(to_index(verdict.candidate->frame)) + ".png";
+           std::to_string(to_index(verdict.candidate->frame)) + variant + ".jpg";
 }
 
-void write_picture(const LoopPicture& pair,
-                   const cv::Mat& query_image,
-                   const cv::Mat& candidate_image,
-                   const std::filesystem::path& folder)
-{
-    const auto picture = draw_match_picture(
-        {query_image, candidate_image, pair.verdict, pair.candidate_timestamp, pair.inliers});
-    std::vector<unsigned char> png;
-    cv::imencode(".png", picture, png);
-    WholeFile file((folder / picture_name(pair.verdict)).string());
-    file.stream().write(reinterpret_cast<const char*>(png.data()),
-                        static_cast<std::streamsize>(png.size()));
-    file.commit();
-}
-
-/** True for NUMBER_NUMBER.png and what a killed run left of one. */
+/** True for NUMBER_NUMBER.jpg, NUMBER_NUMBER_3d.jpg and what a killed run left of one. */
 bool is_picture_name(const std::string& name)
 {
     constexpr const char* kDigits = "0123456789";
     const auto underscore = name.find_first_not_of(kDigits);
     if (underscore == 0 || underscore == std::string::npos || name[underscore] != '_') return false;
-    const auto dot = name.find_first_not_of(kDigits, underscore + 1);
-    if (dot == underscore + 1 || dot == std::string::npos) return false;
-    const auto ending = name.substr(dot);
-    return ending == ".png" || ending.rfind(".png.part-", 0) == 0;
+    const auto end = name.find_first_not_of(kDigits, underscore + 1);
+    if (end == underscore + 1 || end == std::string::npos) return false;
+    const bool is_3d = name.compare(end, 3, "_3d") == 0;
+    const auto ending = name.substr(is_3d ? end + 3 : end);
+    return ending == ".jpg" || ending.rfind(".jpg.part-", 0) == 0;
 }
 
 /** Removes the pictures of an earlier run, and nothing else that may lie in the folder. */
@@ -104,38 +100,96 @@ void remove_old_pictures(const std::filesystem::path& folder)
     for (const auto& path : old) std::filesystem::remove(path);
 }
 
-/** Passes over the rawlog and draws the pairs, which stand in order of their queries. */
-std::size_t draw_all(const std::vector<LoopPicture>& pairs,
-                     const TInputOptions& input,
-                     const std::string& rawlog,
-                     const std::filesystem::path& folder)
+/** Draws pairs as their images come: a batch while the caller reads the images of the next. */
+class Drawing
 {
-    CandidateImages candidates(pairs);
-    RawlogReader reader(rawlog);
-    FrameBuilder builder(input, rawlog);
-    auto next = pairs.begin();
-    while (next != pairs.end() && !interrupted())
+ public:
+    Drawing(const TRenderOptions& options, int num_threads, std::filesystem::path folder)
+        : options_(options), num_threads_(num_threads), folder_(std::move(folder))
     {
-        const auto observation = reader.next();
-        if (!observation) break;
-        if (!builder.accepts(*observation)) continue;
-        const auto id = builder.next_id();
-        const bool is_query = next->verdict.frame == id;
-        if (!is_query && !candidates.wants(id))
-        {
-            builder.skip(*observation);
-            continue;
-        }
-        const auto frame = builder.build(*observation);
-        if (frame.defect != Rejection::none)
-            throw std::runtime_error("the image of frame " + std::to_string(to_index(id)) +
-                                     " is gone since the run began");
-        if (candidates.wants(id)) candidates.store(frame);
-        if (!is_query) continue;
-        write_picture(*next, frame.image, candidates.take(next->verdict.candidate->frame), folder);
-        ++next;
     }
-    return static_cast<std::size_t>(next - pairs.begin());
+
+    void add(const LoopPicture& pair, const cv::Mat& query_image, const cv::Mat& candidate_image)
+    {
+        constexpr std::size_t kBatch = 16;
+        next_.push_back({&pair,
+                         {query_image,
+                          candidate_image,
+                          pair.verdict,
+                          pair.candidate_timestamp,
+                          pair.inliers,
+                          pair.rejected}});
+        if (next_.size() == kBatch) draw_next();
+    }
+
+    /** \return how many pairs were drawn. */
+    std::size_t finish()
+    {
+        draw_next();
+        await_drawn();
+        return drawn_;
+    }
+
+ private:
+    struct Pair
+    {
+        const LoopPicture* pair;
+        MatchPicture picture;
+    };
+
+    std::string path_of(const Pair& pair, const std::string& variant = "") const
+    {
+        return (folder_ / picture_name(pair.pair->verdict, variant)).string();
+    }
+
+    void draw_next()
+    {
+        await_drawn();
+        being_drawn_ = std::move(next_);
+        next_.clear();
+        drawing_ = std::async(std::launch::async, [this] { draw(); });
+    }
+
+    void draw() const
+    {
+        parallel_for(num_threads_,
+                     being_drawn_.size(),
+                     [&](std::size_t i)
+                     {
+                         write_picture(path_of(being_drawn_[i]),
+                                       draw_match_picture(being_drawn_[i].picture, options_));
+                     });
+    }
+
+    /** Waits for the batch, and draws what needs OpenGL, which this thread has. */
+    void await_drawn()
+    {
+        if (drawing_.valid()) drawing_.get();
+        for (const auto& pair : being_drawn_)
+            if (pair.pair->cameras && !interrupted())
+                write_picture(path_of(pair, "_3d"),
+                              draw_match_picture_3d(pair.picture, *pair.pair->cameras, options_));
+        drawn_ += being_drawn_.size();
+        being_drawn_.clear();
+    }
+
+    const TRenderOptions& options_;
+    int num_threads_;
+    std::filesystem::path folder_;
+    std::vector<Pair> next_;
+    std::vector<Pair> being_drawn_;
+    std::size_t drawn_ = 0;
+    std::future<void> drawing_;  ///< the last member: its end is awaited before the others go
+};
+
+CameraPair cameras_of(const LoopEdge& loop, const MetricView& query, const MetricView& candidate)
+{
+    const auto on_robot = [](const MetricView& view)
+    { return view.robot_from_camera.value_or(RigidTransform()); };
+    return {*query.camera,
+            *candidate.camera,
+            on_robot(candidate).inverse() * rigid_transform_from(loop.motion->a_from_b) *
+                on_robot(query)};
 }
 }  // namespace
 
@@ -147,11 +201,28 @@ PairsToDraw::PairsToDraw(TRenderOptions render, const TReportOptions& report)
 
 void PairsToDraw::add(const DetectorOutcome& outcome, double candidate_timestamp)
 {
-    if (render_.max_match_pictures == 0) return;
+    if (!render_.enabled || render_.max_match_pictures == 0) return;
     if (outcome.verdict.accepted())
         closures_.push_back(to_loop_picture(outcome, candidate_timestamp));
     else if (outcome.verdict.support > 0)
         add_rejected(outcome, candidate_timestamp);
+}
+
+LoopPicture PairsToDraw::to_loop_picture(const DetectorOutcome& outcome,
+                                         double candidate_timestamp) const
+{
+    LoopPicture loop{outcome.verdict, candidate_timestamp, {}};
+    auto inlier = outcome.inliers.begin();
+    for (std::size_t k = 0; k < outcome.matches.size(); ++k)
+    {
+        const bool is_inlier = inlier != outcome.inliers.end() && *inlier == k;
+        if (is_inlier) ++inlier;
+        if (is_inlier)
+            loop.inliers.push_back(outcome.matches[k]);
+        else if (render_.draw_rejected_matches)
+            loop.rejected.push_back(outcome.matches[k]);
+    }
+    return loop;
 }
 
 void PairsToDraw::add_rejected(const DetectorOutcome& outcome, double candidate_timestamp)
@@ -179,14 +250,45 @@ std::vector<LoopPicture> PairsToDraw::chosen() const
     return pairs;
 }
 
+void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const LoopDetector& detector)
+{
+    std::map<FrameId, const LoopEdge*> metric;
+    for (const auto& loop : map.loops)
+        if (loop.motion) metric[loop.query] = &loop;
+    for (auto& pair : pairs)
+    {
+        const auto loop = metric.find(pair.verdict.frame);
+        if (!pair.verdict.accepted() || loop == metric.end()) continue;
+        const auto* query = detector.find_place(loop->second->query);
+        const auto* candidate = detector.find_place(loop->second->candidate);
+        pair.cameras = cameras_of(*loop->second, query->metric, candidate->metric);
+    }
+}
+
 std::size_t draw_match_pictures(const std::vector<LoopPicture>& pairs,
-                                const TInputOptions& input,
-                                const std::string& rawlog,
+                                const TRenderOptions& options,
+                                const DrawnRawlog& rawlog,
                                 const std::string& folder)
 {
     std::filesystem::create_directories(folder);
     remove_old_pictures(folder);
-    return draw_all(pairs, input, rawlog, folder);
+    Drawing drawing(options, rawlog.num_threads, folder);
+    CandidateImages candidates(pairs);
+    std::set<FrameId> wanted;
+    for (const auto& pair : pairs)
+        wanted.insert({pair.verdict.frame, pair.verdict.candidate->frame});
+    auto next = pairs.begin();
+    for_each_frame(rawlog.path,
+                   rawlog.input,
+                   wanted,
+                   [&](const Frame& frame)
+                   {
+                       if (candidates.wants(frame.id)) candidates.store(frame);
+                       if (next == pairs.end() || next->verdict.frame != frame.id) return;
+                       const auto candidate = candidates.take(next->verdict.candidate->frame);
+                       drawing.add(*next++, frame.image, candidate);
+                   });
+    return drawing.finish();
 }
 
 }  // namespace fild

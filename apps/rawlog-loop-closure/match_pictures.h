@@ -4,11 +4,14 @@
 #include "fild/core/descriptors.h"
 #include "fild/core/verdict.h"
 #include "fild/detector/loop_detector.h"
+#include "fild/mapping/map_builder.h"
 #include "fild/rawlog/input_options.h"
+#include "fild/render/match_picture.h"
 #include "fild/render/render_options.h"
 #include "fild/report/report_options.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +23,8 @@ struct LoopPicture
     FrameVerdict verdict;
     double candidate_timestamp = 0;  ///< seconds since the UNIX epoch
     std::vector<PixelPair> inliers;
+    std::vector<PixelPair> rejected{};  ///< the other matches, where they are drawn
+    std::optional<CameraPair> cameras{};  ///< for a picture in 3D as well
 };
 
 /** Chooses of which pairs of a run pictures are drawn: loop closures as [render] says, and of the
@@ -37,6 +42,7 @@ class PairsToDraw
     std::vector<LoopPicture> chosen() const;
 
  private:
+    LoopPicture to_loop_picture(const DetectorOutcome& outcome, double candidate_timestamp) const;
     void add_rejected(const DetectorOutcome& outcome, double candidate_timestamp);
 
     TRenderOptions render_;
@@ -45,14 +51,26 @@ class PairsToDraw
     std::vector<LoopPicture> rejected_;  ///< most support first
 };
 
-/** Draws the pairs, which stand in order of their queries, as QUERY_CANDIDATE.png, into a folder
- * that appears when it is complete and replaces an older one of that name. The images come from a
- * second pass over the rawlog, up to the last one needed; an interruption ends it early. \return
- * how many were drawn. \throw std::runtime_error when a picture cannot be written, or as
- * RawlogReader. */
+/** Tells the pairs that are loops with a metric pose where their cameras stood.
+ *  \param detector  that gave the map its loops. */
+void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const LoopDetector& detector);
+
+/** The recording that the images come from, and how it is read. */
+struct DrawnRawlog
+{
+    std::string path;
+    TInputOptions input;
+    int num_threads = 1;
+};
+
+/** Draws the pairs, which stand in order of their queries, as QUERY_CANDIDATE.jpg, and those with
+ *  cameras as QUERY_CANDIDATE_3d.jpg too, into a folder; an older run's pictures go. The images
+ *  come from a second pass over the rawlog, up to the last one needed; an interruption ends it
+ *  early. \return how many pairs were drawn. \throw std::runtime_error when a picture cannot be
+ *  written, or as for_each_frame(). */
 std::size_t draw_match_pictures(const std::vector<LoopPicture>& pairs,
-                                const TInputOptions& input,
-                                const std::string& rawlog,
+                                const TRenderOptions& options,
+                                const DrawnRawlog& rawlog,
                                 const std::string& folder);
 
 }  // namespace fild

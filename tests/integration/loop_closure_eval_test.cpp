@@ -103,13 +103,13 @@ TEST_F(LoopClosureEval, PrintsTheScore)
 TEST_F(LoopClosureEval, WritesJsonAndWrongLoops)
 {
     std::filesystem::create_directory(folder_.path("run/matches"));
-    write("run/matches/4_0.png", "");
+    write("run/matches/4_0.jpg", "");
     const auto finished = run("--run run --ground-truth loops.txt --output out/here");
     EXPECT_EQ(finished.exit_code, 0) << finished.err;
     EXPECT_EQ(read_text(folder_.path("out/here/wrong_loops.csv")),
               "run,frame,candidate,similarity,matches,inliers,loop_query,picture\n"
-              "1,4,0,0.800000,60,40,1,matches/4_0.png\n");
-    EXPECT_THAT(finished.out, HasSubstr("has a loop elsewhere, matches/4_0.png"));
+              "1,4,0,0.800000,60,40,1,matches/4_0.jpg\n");
+    EXPECT_THAT(finished.out, HasSubstr("has a loop elsewhere, matches/4_0.jpg"));
     const auto json = nlohmann::json::parse(read_text(folder_.path("out/here/evaluation.json")));
     EXPECT_EQ(json["protocol"]["name"], "exact");
     EXPECT_EQ(json["loop_queries"], 3);

@@ -16,7 +16,9 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationStereoImages.h>
+#include <mrpt/opengl/COpenGLScene.h>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -40,7 +42,7 @@ constexpr const char* kConfig =
     "[hashing]\nratio = 0.87\nmutual_check = true\n"
     "[verification]\nmethod = magsac\nmin_weighed_inliers = 10\n"
     "[consistency]\nconsecutive_frames = 1\n"
-    "[render]\nmax_match_pictures = 0\n";
+    "[render]\nenabled = false\n[report]\nwrite_html = false\n";
 
 const std::vector<std::string> kMapFiles = {"map.simplemap",
                                             "poses.g2o",
@@ -283,6 +285,67 @@ TEST_F(MetricMap, HasTheSameBytesAgainAndWithTwoThreads)
             EXPECT_TRUE(is_new || result(name) == found->second) << name;
         }
     }
+}
+
+TEST_F(MetricMap, IsDrawn)
+{
+    write(WallDrive());
+    run_well(
+        "--set render.enabled=true --set render.match_pictures_3d=true "
+        "--set render.camera_images=true --set report.write_html=true");
+    for (const auto* name : {"map_top.png", "map_perspective.png"})
+        EXPECT_EQ(cv::imread(path(std::string("out/") + name)).size(), cv::Size(1600, 1000));
+    mrpt::opengl::COpenGLScene scene;
+    ASSERT_TRUE(scene.loadFromFile(path("out/map.3Dscene")));
+    EXPECT_TRUE(scene.getByName("loops"));
+    EXPECT_FALSE(scene.getByName("ground truth"));
+    EXPECT_TRUE(has("matches/8_0.jpg"));
+    EXPECT_EQ(cv::imread(path("out/matches/8_0_3d.jpg")).cols, 1400);
+    EXPECT_THAT(result("report.html"), HasSubstr("from above"));
+
+    run_well("--set render.enabled=true --set render.write_map_pictures=false");
+    for (const auto* name :
+         {"map_top.png", "map_perspective.png", "map.3Dscene", "matches/8_0_3d.jpg"})
+        EXPECT_FALSE(has(name)) << name << " of the run before is removed";
+    EXPECT_TRUE(has("matches/8_0.jpg"));
+    run_well();
+    EXPECT_FALSE(has("matches/8_0.jpg")) << "nothing is drawn";
+}
+
+TEST_F(MetricMap, IsComparedWithTheTruth)
+{
+    write(WallDrive());
+    run_well();
+    fs::copy(path("out/trajectory_optimized.tum"), path("truth.tum"));
+    const auto finished = run("--ground-truth '" + path("truth.tum") +
+                              "' --protocol radius:1 --set render.enabled=true "
+                              "--set report.write_html=true");
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_THAT(finished.out, HasSubstr("ATE of trajectory_optimized 0.000 m"));
+    EXPECT_THAT(result("report.html"), HasSubstr("truth.tum"));
+    mrpt::opengl::COpenGLScene scene;
+    ASSERT_TRUE(scene.loadFromFile(path("out/map.3Dscene")));
+    EXPECT_TRUE(scene.getByName("ground truth"));
+
+    fild::testing::write_text(path("loops.txt"), "8 0\n9 1\n10 3\n");
+    const auto labelled = run("--ground-truth '" + path("loops.txt") + "'");
+    EXPECT_THAT(labelled.out, HasSubstr("6 wrong loops, precision 0.250, recall 0.667"));
+}
+
+TEST_F(MetricMap, IsKeptWhenTheTruthCannotBeRead)
+{
+    write(WallDrive());
+    const auto finished = run("--ground-truth '" + path("none.tum") + "'");
+    EXPECT_EQ(finished.exit_code, 1);
+    EXPECT_THAT(finished.err, HasSubstr("none.tum"));
+    EXPECT_FALSE(has("frames.csv")) << "said before the work begins";
+
+    fild::testing::write_text(path("bad.tum"), "1 2 3 and so on\n");
+    const auto late = run("--ground-truth '" + path("bad.tum") + "' --protocol radius:1");
+    EXPECT_EQ(late.exit_code, 1);
+    EXPECT_THAT(late.err, HasSubstr("bad.tum"));
+    for (const auto& name : kMapFiles) EXPECT_TRUE(has(name)) << name;
+    EXPECT_EQ(run("--protocol radius:1").exit_code, 2) << "without ground truth";
 }
 
 TEST_F(MetricMap, ChangesNothingOfWhatTheDetectorSays)

@@ -147,7 +147,7 @@ TEST_F(RawlogLoopClosure, FindsTheSecondLap)
         EXPECT_EQ(all[i].frame, i);
         EXPECT_EQ(all[i].candidate, i - kFramesPerLap);
         EXPECT_TRUE(all[i].accepted);
-        const auto name = std::to_string(i) + "_" + std::to_string(i - kFramesPerLap) + ".png";
+        const auto name = std::to_string(i) + "_" + std::to_string(i - kFramesPerLap) + ".jpg";
         EXPECT_FALSE(cv::imread(path("out/matches/" + name)).empty()) << name;
     }
     EXPECT_EQ(lines_of(read_text(path("out/loops.csv"))).size(), 9U);
@@ -218,7 +218,7 @@ TEST_F(RawlogLoopClosure, DrawsTheStrongestRejectedPairs)
     for (std::size_t i = 1; i < all.size(); ++i)
     {
         const auto row = fild::split_csv_fields(all[i]);
-        by_support.emplace(-std::stod(row[10]), row[0] + "_" + row[4] + ".png");
+        by_support.emplace(-std::stod(row[10]), row[0] + "_" + row[4] + ".jpg");
     }
     std::set<std::string> strongest;
     for (auto pair = by_support.begin(); strongest.size() < 3; ++pair)

@@ -44,6 +44,13 @@ TEST(ChooseMatchPictures, SortsByInliersAndAnswersInOrder)
     EXPECT_EQ(choose(2, fild::PictureChoice::first, inliers), (Indices{0, 1}));
 }
 
+TEST(ChooseMatchPictures, TakesNoneWhenNothingIsDrawn)
+{
+    fild::TRenderOptions options;
+    options.enabled = false;
+    EXPECT_EQ(choose_match_pictures(std::vector<fild::FrameVerdict>(3), options), Indices{});
+}
+
 TEST(RenderOptions, BoundTheNumberOfPictures)
 {
     fild::TRenderOptions options;

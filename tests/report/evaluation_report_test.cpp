@@ -114,8 +114,8 @@ TEST(MatchPicture, IsNamedWhenItIsThere)
     verdict.candidate = fild::Candidate{fild::FrameId{3}, 0.9};
     EXPECT_EQ(fild::match_picture_of(folder.path(), verdict), "");
     std::filesystem::create_directory(folder.path("matches"));
-    fild::testing::write_text(folder.path("matches/12_3.png"), "");
-    EXPECT_EQ(fild::match_picture_of(folder.path(), verdict), "matches/12_3.png");
+    fild::testing::write_text(folder.path("matches/12_3.jpg"), "");
+    EXPECT_EQ(fild::match_picture_of(folder.path(), verdict), "matches/12_3.jpg");
 }
 
 }  // namespace

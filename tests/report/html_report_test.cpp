@@ -92,6 +92,56 @@ TEST(HtmlReport, BoundsItsPictures)
     EXPECT_TRUE(report_of(run, options)["pictures"].empty());
 }
 
+TEST(HtmlReport, CountsPicturesIn3dAsPictures)
+{
+    const RunFolderFiles run(two_laps());
+    fild::TReportOptions options;
+    options.max_pictures = 2;
+    for (const auto& loop : {loop_at(2, 0), loop_at(3, 1)}) run.add_match_picture(loop);
+    EXPECT_EQ(report_of(run, options)["pictures"].size(), 2U);
+    for (const auto& loop : {loop_at(2, 0), loop_at(3, 1)}) run.add_match_picture(loop, "_3d");
+    const auto pictures = report_of(run, options)["pictures"];
+    EXPECT_EQ(pictures.size(), 2U);
+    EXPECT_TRUE(pictures.contains("3_1"));
+    EXPECT_TRUE(pictures.contains("3_1_3d"));
+}
+
+TEST(HtmlReport, ReadsTrajectoriesOfBothFormats)
+{
+    const RunFolderFiles run({frame_at(0), loop_at(1, 0)});
+    write_text(run.path("trajectory_input.kitti"),
+               "1 0 0 5 0 1 0 6 0 0 1 7\n1 0 0 8 0 1 0 9 0 0 1 0\n");
+    EXPECT_EQ(report_of(run)["trajectories"]["input"][1], (std::vector<double>{8, 9, 0}));
+    write_text(run.path("trajectory_input.kitti"), "1 0 0 5 0 1 0 6 0 0 1 7\n");
+    EXPECT_THAT(error_of(run), HasSubstr("trajectory_input.kitti"));
+}
+
+/** The true poses of a way are known in a frame of their own: turned by 90 degrees, and elsewhere.
+ */
+TEST(HtmlReport, LaysTheTruthOverTheMap)
+{
+    const RunFolderFiles run({frame_at(0), frame_at(1), frame_at(2), loop_at(3, 0)});
+    std::string optimized;
+    fild::ReportTruth truth;
+    const std::vector<cv::Vec3d> way{{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 1}};
+    for (std::size_t i = 0; i < way.size(); ++i)
+    {
+        const auto timestamp = frame_at(i).timestamp;
+        optimized += std::to_string(timestamp);
+        for (int axis = 0; axis < 3; ++axis) optimized += " " + std::to_string(way[i][axis]);
+        optimized += " 0 0 0 1\n";
+        const cv::Matx33d turned(0, -1, 0, 1, 0, 0, 0, 0, 1);
+        truth.poses.push_back(
+            {timestamp, fild::FramePose{turned, turned * way[i] + cv::Vec3d(100, 200, 0)}});
+    }
+    write_text(run.path("trajectory_optimized.tum"), optimized);
+    fild::write_html_report(run.path(), {}, truth);
+    const auto laid = fild::testing::data_of_page(run.path("report.html"))["trajectories"]["truth"];
+    for (std::size_t i = 0; i < way.size(); ++i)
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_NEAR(laid[i][static_cast<std::size_t>(axis)].get<double>(), way[i][axis], 1e-3);
+}
+
 TEST(HtmlReport, TellsHowFarEdgesAreFromTheTrajectory)
 {
     fild::LoopRow edge;
@@ -144,8 +194,8 @@ TEST(HtmlReport, NamesTheFileThatIsMissingOrCutOff)
     std::filesystem::remove(run.path("costs.csv"));
 
     std::filesystem::create_directories(run.path("matches"));
-    write_text(run.path("matches/2_0.png"), "no picture");
-    EXPECT_THAT(error_of(run), HasSubstr("matches/2_0.png"));
+    write_text(run.path("matches/2_0.jpg"), "no picture");
+    EXPECT_THAT(error_of(run), HasSubstr("matches/2_0.jpg"));
     std::filesystem::remove_all(run.path("matches"));
 
     write_text(run.path("summary.json"), "{\"rawlog\":");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 namespace fild
 {
@@ -25,6 +26,19 @@ CandidateEvaluation evaluate_candidates(const std::vector<JudgedFrame>& frames,
 }
 }  // namespace
 
+std::optional<std::vector<TimedPose>> read_run_trajectory(const std::string& folder,
+                                                          const std::string& name,
+                                                          const std::vector<FrameVerdict>& frames)
+{
+    const auto path = (std::filesystem::path(folder) / ("trajectory_" + name)).string();
+    if (std::filesystem::exists(path + ".tum")) return read_tum_trajectory(path + ".tum");
+    if (!std::filesystem::exists(path + ".kitti")) return std::nullopt;
+    std::vector<TimedPose> trajectory;
+    for (const auto& frame : read_kitti_poses(path + ".kitti", frames))
+        trajectory.push_back({frame.timestamp, *frame.pose});
+    return trajectory;
+}
+
 RunResults read_run(const std::string& folder)
 {
     const std::filesystem::path path(folder);
@@ -34,8 +48,8 @@ RunResults read_run(const std::string& folder)
     if (const auto file = path / "candidates.csv"; std::filesystem::exists(file))
         run.answers = read_candidates_csv(file.string(), run.frames.size());
     for (const std::string name : {"input", "optimized"})
-        if (const auto file = path / ("trajectory_" + name + ".tum"); std::filesystem::exists(file))
-            run.trajectories.emplace_back(name, read_tum_trajectory(file.string()));
+        if (auto trajectory = read_run_trajectory(folder, name, run.frames))
+            run.trajectories.emplace_back(name, std::move(*trajectory));
     return run;
 }
 

@@ -190,19 +190,23 @@ TrajectoryError trajectory_error(const std::vector<TimedPose>& trajectory,
     return error;
 }
 
-std::vector<TimedPose> aligned_with(const std::vector<TimedPose>& trajectory,
-                                    const std::vector<PosedFrame>& truth)
+std::vector<PosedFrame> laid_over(const std::vector<TimedPose>& trajectory,
+                                  std::vector<PosedFrame> truth)
 {
     const auto alignment = alignment_of(pair_by_time(trajectory, truth), false);
-    auto aligned = trajectory;
-    for (auto& [timestamp, pose] : aligned)
+    Eigen::Isometry3d truth_from_trajectory = Eigen::Isometry3d::Identity();
+    truth_from_trajectory.linear() = alignment.rotation;
+    truth_from_trajectory.translation() = alignment.translation;
+    const Eigen::Isometry3d trajectory_from_truth = truth_from_trajectory.inverse();
+    for (auto& frame : truth)
     {
-        const auto laid_over = alignment.of(to_isometry(pose));
-        pose.rotation = to_opencv(laid_over.linear());
-        const auto& position = laid_over.translation();
-        pose.position = {position.x(), position.y(), position.z()};
+        if (!frame.pose) continue;
+        const Eigen::Isometry3d pose = trajectory_from_truth * to_isometry(*frame.pose);
+        const Eigen::Vector3d position = pose.translation();
+        frame.pose->rotation = to_opencv(pose.linear());
+        frame.pose->position = {position.x(), position.y(), position.z()};
     }
-    return aligned;
+    return truth;
 }
 
 }  // namespace fild

@@ -24,8 +24,6 @@ namespace fild
 namespace
 {
 constexpr int kSamplesPerSide = 2;
-constexpr float kNearest_m = 0.5F;  // bounds the error of depth, z^2 / (kNearest_m * 2^24)
-constexpr float kFarthest_m = 1000;
 
 /** MRPT 2.5 builds no mipmaps, without which distant textures flicker. It binds every texture to a
  *  unit of its own for good, so the units lead to all textures of the scene. Not anisotropic: where
@@ -90,6 +88,13 @@ float pixel_depth(const PixelSamples& samples)
         }
     // On a plane it is the inverse of the depth that is linear in the image.
     return static_cast<float>(count) / sum_of_inverses;
+}
+
+cv::Mat averaged(const mrpt::img::CImage& samples, const CameraModel& camera)
+{
+    cv::Mat image;
+    cv::resize(samples.asCvMatRef(), image, {camera.width, camera.height}, 0, 0, cv::INTER_AREA);
+    return image;
 }
 
 cv::Mat pixel_depths(const cv::Mat_<float>& samples, const cv::Size& size)
@@ -179,20 +184,22 @@ struct OffscreenRenderer::Canvases
     }
 };
 
-OffscreenRenderer::OffscreenRenderer(std::shared_ptr<mrpt::opengl::COpenGLScene> scene)
+OffscreenRenderer::OffscreenRenderer(std::shared_ptr<mrpt::opengl::COpenGLScene> scene,
+                                     const ClipRange& clip)
     : context_(Context::of_this_thread()),
       canvases_(std::make_unique<Canvases>()),
       scene_(std::move(scene))
 {
-    scene_->getViewport()->setViewportClipDistances(kNearest_m, kFarthest_m);
+    scene_->getViewport()->setViewportClipDistances(static_cast<float>(clip.near_m),
+                                                    static_cast<float>(clip.far_m));
     scene_->initializeTextures();
     filter_textures_by_mipmaps();
 }
 
 OffscreenRenderer::~OffscreenRenderer() = default;
 
-RenderedView OffscreenRenderer::draw(const CameraModel& camera,
-                                     const mrpt::poses::CPose3D& map_from_camera)
+mrpt::opengl::CFBORender& OffscreenRenderer::canvas_for(const CameraModel& camera,
+                                                        const mrpt::poses::CPose3D& map_from_camera)
 {
     check_camera(camera);
     mrpt::opengl::CCamera viewpoint;
@@ -201,17 +208,33 @@ RenderedView OffscreenRenderer::draw(const CameraModel& camera,
     viewpoint.setPose(map_from_camera);
     auto& canvas = canvases_->get(camera);
     canvas.setCamera(*scene_, viewpoint);
+    return canvas;
+}
+
+RenderedView OffscreenRenderer::draw(const CameraModel& camera,
+                                     const mrpt::poses::CPose3D& map_from_camera)
+{
+    auto& canvas = canvas_for(camera, map_from_camera);
     mrpt::img::CImage samples;
     mrpt::math::CMatrixFloat depth_samples;
     canvas.render_RGBD(*scene_, samples, depth_samples);
 
     RenderedView view;
+    view.image = averaged(samples, camera);
     const cv::Size size(camera.width, camera.height);
-    cv::resize(samples.asCvMatRef(), view.image, size, 0, 0, cv::INTER_AREA);
     const auto sampled = size * kSamplesPerSide;
     view.depth =
         pixel_depths(cv::Mat_<float>(sampled.height, sampled.width, depth_samples.data()), size);
     return view;
+}
+
+cv::Mat OffscreenRenderer::draw_image(const CameraModel& camera,
+                                      const mrpt::poses::CPose3D& map_from_camera)
+{
+    auto& canvas = canvas_for(camera, map_from_camera);
+    mrpt::img::CImage samples;
+    canvas.render_RGB(*scene_, samples);
+    return averaged(samples, camera);
 }
 
 std::string OffscreenRenderer::gl_library()

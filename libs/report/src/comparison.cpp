@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "comparison.h"
 
+#include "fild/core/spread.h"
 #include "report_pictures.h"
 #include "run_folder.h"
 
@@ -40,7 +41,7 @@ std::vector<std::size_t> differing_frames(const RunFolder& first,
     for (std::size_t i = 0; i < frames; ++i)
         if (has_loop(first, i) != has_loop(second, i)) all.push_back(i);
     std::vector<std::size_t> chosen;
-    for (const auto i : spread(limit, all.size())) chosen.push_back(all[i]);
+    for (const auto i : spread_indices(limit, all.size())) chosen.push_back(all[i]);
     return chosen;
 }
 

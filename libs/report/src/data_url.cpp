@@ -23,19 +23,26 @@ std::string data_url(const std::string& type, const std::vector<unsigned char>& 
     base64.resize(static_cast<std::size_t>(length));
     return "data:image/" + type + ";base64," + base64;
 }
+
+std::vector<unsigned char> bytes_of(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
+    if (!file || bytes.empty()) throw std::runtime_error("cannot read " + path);
+    return bytes;
+}
 }  // namespace
 
 std::string data_url_of_png(const std::string& path)
 {
-    std::ifstream file(path, std::ios::binary);
-    const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
-    if (!file || bytes.empty()) throw std::runtime_error("cannot read " + path);
-    return data_url("png", bytes);
+    return data_url("png", bytes_of(path));
 }
 
 std::string data_url_of_picture(const std::string& path, int max_width_px)
 {
-    auto picture = cv::imread(path, cv::IMREAD_COLOR);
+    constexpr double kWideEnough = 0.7;  // of max_width_px; half a picture is read in no time
+    auto picture = cv::imread(path, cv::IMREAD_REDUCED_COLOR_2);
+    if (picture.cols < kWideEnough * max_width_px) picture = cv::imread(path, cv::IMREAD_COLOR);
     if (picture.empty()) throw std::runtime_error("cannot read the picture " + path);
     if (picture.cols > max_width_px)
     {

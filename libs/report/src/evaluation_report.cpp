@@ -15,7 +15,7 @@ namespace fild
 std::string match_picture_of(const std::string& run_folder, const FrameVerdict& verdict)
 {
     const auto picture = "matches/" + std::to_string(to_index(verdict.frame)) + "_" +
-                         std::to_string(to_index(verdict.candidate->frame)) + ".png";
+                         std::to_string(to_index(verdict.candidate->frame)) + ".jpg";
     std::error_code unreadable_is_absent;
     const auto path = std::filesystem::path(run_folder) / picture;
     return std::filesystem::exists(path, unreadable_is_absent) ? picture : "";

@@ -2,6 +2,8 @@
 #include "report_pictures.h"
 
 #include "data_url.h"
+#include "fild/core/parallel_for.h"
+#include "fild/core/spread.h"
 #include "fild/report/evaluation_report.h"
 
 #include <algorithm>
@@ -13,16 +15,27 @@ namespace fild
 namespace
 {
 using Json = nlohmann::ordered_json;
-}  // namespace
 
-std::vector<std::size_t> spread(std::size_t count, std::size_t size)
+/** QUERY_CANDIDATE_3d.jpg beside QUERY_CANDIDATE.jpg. */
+std::filesystem::path variant_3d(const std::filesystem::path& picture)
 {
-    std::vector<std::size_t> chosen;
-    count = std::min(count, size);
-    for (std::size_t i = 0; i < count; ++i)
-        chosen.push_back(count == 1 ? 0 : i * (size - 1) / (count - 1));
-    return chosen;
+    return picture.parent_path() / (picture.stem().string() + "_3d.jpg");
 }
+
+bool has_pictures_3d(const std::string& folder)
+{
+    const std::filesystem::path matches = std::filesystem::path(folder) / "matches";
+    if (!std::filesystem::exists(matches)) return false;
+    const std::filesystem::directory_iterator entries(matches);
+    return std::any_of(begin(entries),
+                       end(entries),
+                       [](const auto& entry)
+                       {
+                           const auto stem = entry.path().stem().string();
+                           return stem.size() > 3 && stem.compare(stem.size() - 3, 3, "_3d") == 0;
+                       });
+}
+}  // namespace
 
 std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
                                                 const std::vector<FrameVerdict>& frames,
@@ -39,11 +52,12 @@ std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
     std::stable_sort(chosen.begin(),
                      chosen.end(),
                      [](const auto* a, const auto* b) { return a->support > b->support; });
-    const auto limit = static_cast<std::size_t>(options.max_pictures);
+    const auto limit =
+        static_cast<std::size_t>(options.max_pictures) / (has_pictures_3d(folder) ? 2 : 1);
     // Rejected pairs may have at most half of the room.
     chosen.resize(
         std::min(chosen.size(), std::max(limit / 2, limit - std::min(limit, accepted.size()))));
-    for (const auto i : spread(limit - chosen.size(), accepted.size()))
+    for (const auto i : spread_indices(limit - chosen.size(), accepted.size()))
         chosen.push_back(accepted[i]);
     return chosen;
 }
@@ -52,14 +66,24 @@ Json pictures_json(const std::string& folder,
                    const std::vector<const FrameVerdict*>& frames,
                    int max_width_px)
 {
-    Json pictures = Json::object();
+    std::vector<std::filesystem::path> paths;
     for (const auto* frame : frames)
-    {
-        const auto picture = frame->candidate ? match_picture_of(folder, *frame) : "";
-        if (picture.empty()) continue;
-        pictures[std::filesystem::path(picture).stem().string()] =
-            data_url_of_picture((std::filesystem::path(folder) / picture).string(), max_width_px);
-    }
+        if (const auto picture = frame->candidate ? match_picture_of(folder, *frame) : "";
+            !picture.empty())
+        {
+            paths.push_back(std::filesystem::path(folder) / picture);
+            if (const auto path_3d = variant_3d(paths.back()); std::filesystem::exists(path_3d))
+                paths.push_back(path_3d);
+        }
+    std::vector<std::string> urls(paths.size());
+    constexpr int kAllCores = 0;
+    parallel_for(kAllCores,
+                 paths.size(),
+                 [&](std::size_t i)
+                 { urls[i] = data_url_of_picture(paths[i].string(), max_width_px); });
+    Json pictures = Json::object();
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        pictures[paths[i].stem().string()] = std::move(urls[i]);
     return pictures;
 }
 

@@ -12,18 +12,16 @@
 
 namespace fild
 {
-/** `count` of the indices below `size`, evenly, the first and the last among them; all of them when
- *  there are no more. */
-std::vector<std::size_t> spread(std::size_t count, std::size_t size);
-
-/** Frames whose pair has a match picture in the folder, at most options.max_pictures: those of
- *  rejected pairs first, then the loop closures spread from the weakest to the strongest. */
+/** Frames whose pair has a match picture in the folder, at most options.max_pictures, or half of
+ *  that when they have pictures in 3D as well: those of rejected pairs first, then the loop
+ * closures spread from the weakest to the strongest. */
 std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
                                                 const std::vector<FrameVerdict>& frames,
                                                 const TReportOptions& options);
 
-/** The match pictures of these frames, `QUERY_CANDIDATE` to an URL that holds the picture; frames
- *  without one are left out. \throw std::runtime_error naming a picture that cannot be read. */
+/** The match pictures of these frames, `QUERY_CANDIDATE` (and `QUERY_CANDIDATE_3d`) to an URL that
+ *  holds the picture; frames without one are left out. \throw std::runtime_error naming a picture
+ *  that cannot be read. */
 nlohmann::ordered_json pictures_json(const std::string& folder,
                                      const std::vector<const FrameVerdict*>& frames,
                                      int max_width_px);

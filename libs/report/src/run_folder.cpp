@@ -2,6 +2,7 @@
 #include "run_folder.h"
 
 #include "csv_table.h"
+#include "fild/core/spread.h"
 #include "fild/evaluation/frames_csv.h"
 #include "fild/evaluation/metric.h"
 #include "loop_edges.h"
@@ -82,22 +83,20 @@ Json positions_json(const PosesOfFrames& poses)
     return json;
 }
 
-/** `input`, `optimized` and `truth`, those that there are; laid over the truth when it is known. */
+/** `input`, `optimized` and `truth`, those that there are; the truth is laid over the last one. */
 std::map<std::string, PosesOfFrames> read_trajectories(const RunFolder& run,
                                                        const std::optional<ReportTruth>& truth)
 {
     std::map<std::string, PosesOfFrames> trajectories;
-    const bool has_truth = truth && !truth->poses.empty();
+    auto true_poses = truth ? truth->poses : std::vector<PosedFrame>();
     for (const std::string name : {"input", "optimized"})
     {
-        const auto path = run.path + "/trajectory_" + name + ".tum";
-        if (!fs::exists(path)) continue;
-        auto poses = read_tum_trajectory(path);
-        if (has_truth) poses = aligned_with(poses, truth->poses);
-        trajectories[name] = poses_of_frames(poses, run.frames);
+        const auto poses = read_run_trajectory(run.path, name, run.frames);
+        if (!poses) continue;
+        trajectories[name] = poses_of_frames(*poses, run.frames);
+        if (!true_poses.empty()) true_poses = laid_over(*poses, std::move(true_poses));
     }
-    if (!has_truth) return trajectories;
-    for (const auto& frame : truth->poses) trajectories["truth"].push_back(frame.pose);
+    for (const auto& frame : true_poses) trajectories["truth"].push_back(frame.pose);
     return trajectories;
 }
 
@@ -108,7 +107,7 @@ Json costs_json(const std::string& path)
     const CsvTable table(path);
     Json json = {{"frame", Json::array()}, {"ms", Json::object()}};
     const std::string unit = "_ms";
-    for (const auto row : spread(kMostRows, table.rows()))
+    for (const auto row : spread_indices(kMostRows, table.rows()))
         for (const auto& column : table.columns())
         {
             const auto value = table.number(row, column);
@@ -148,7 +147,7 @@ std::string why_no_map(const Json& summary)
     if (auto ended = summary.value("ended_early", ""); !ended.empty()) return ended;
     for (const auto& note : summary.value("map", Json::object()).value("notes", Json::array()))
         if (auto text = note.get<std::string>(); text.rfind("no map", 0) == 0) return text;
-    return "this run has no trajectory_input.tum and no trajectory_optimized.tum";
+    return "this run has no trajectory_input.tum and no trajectory_optimized.tum, nor .kitti";
 }
 }  // namespace
 

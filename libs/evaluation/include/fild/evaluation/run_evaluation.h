@@ -26,12 +26,18 @@ struct RunResults
     std::string folder;
     std::vector<FrameVerdict> frames;
     std::optional<AnswersOfFrames> answers;  ///< none: there is no candidates.csv
-    /** `input` and `optimized`, of trajectory_NAME.tum; those that are there. */
+    /** `input` and `optimized`, those that are there; see read_run_trajectory(). */
     std::vector<std::pair<std::string, std::vector<TimedPose>>> trajectories;
 };
 
-/** Reads frames.csv, and candidates.csv, trajectory_input.tum and trajectory_optimized.tum if they
- *  are there. \throw std::runtime_error naming the file. */
+/** Reads trajectory_NAME.tum or trajectory_NAME.kitti of a run; nothing when neither is there.
+ *  \throw std::runtime_error naming the file. */
+std::optional<std::vector<TimedPose>> read_run_trajectory(const std::string& folder,
+                                                          const std::string& name,
+                                                          const std::vector<FrameVerdict>& frames);
+
+/** Reads frames.csv, and candidates.csv and the trajectories if they are there.
+ *  \throw std::runtime_error naming the file. */
 RunResults read_run(const std::string& folder);
 
 /** \throw std::runtime_error unless all runs are of the same recording: as many frames, of the same

@@ -54,9 +54,9 @@ TrajectoryError trajectory_error(const std::vector<TimedPose>& trajectory,
                                  bool oriented_truth,
                                  const TrajectoryErrorOptions& options);
 
-/** The trajectory laid over the truth as trajectory_error() does, without scaling: to draw both.
- *  \throw std::runtime_error when fewer than 3 poses are paired. */
-std::vector<TimedPose> aligned_with(const std::vector<TimedPose>& trajectory,
-                                    const std::vector<PosedFrame>& truth);
+/** The truth laid over the trajectory as trajectory_error() lays the trajectory over the truth,
+ * without scaling: to draw both. \throw std::runtime_error when fewer than 3 poses are paired. */
+std::vector<PosedFrame> laid_over(const std::vector<TimedPose>& trajectory,
+                                  std::vector<PosedFrame> truth);
 
 }  // namespace fild

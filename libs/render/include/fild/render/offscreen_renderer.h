@@ -10,8 +10,9 @@
 
 namespace mrpt::opengl
 {
+class CFBORender;
 class COpenGLScene;
-}
+}  // namespace mrpt::opengl
 namespace mrpt::poses
 {
 class CPose3D;
@@ -24,6 +25,14 @@ struct RenderedView
 {
     cv::Mat image;  ///< 8 bit BGR
     cv::Mat depth;  ///< float, metres along the optical axis; 0 where nothing is drawn (sky)
+};
+
+/** How far away things must be to be drawn, metres along the optical axis. The error of a depth z
+ * is bounded by z^2 / (near_m * 2^24). Value type. */
+struct ClipRange
+{
+    double near_m = 0.5;
+    double far_m = 1000;
 };
 
 /** Draws an MRPT scene into memory through OSMesa: needs no screen, no GPU and no window library.
@@ -39,7 +48,8 @@ class OffscreenRenderer
  public:
     /** \throw std::runtime_error when no OpenGL context can be made, or when the gl functions of
      *         this program are not those of libOSMesa. */
-    explicit OffscreenRenderer(std::shared_ptr<mrpt::opengl::COpenGLScene> scene);
+    explicit OffscreenRenderer(std::shared_ptr<mrpt::opengl::COpenGLScene> scene,
+                               const ClipRange& clip = {});
     ~OffscreenRenderer();
     OffscreenRenderer(const OffscreenRenderer&) = delete;
     OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
@@ -49,12 +59,18 @@ class OffscreenRenderer
      *  \throw std::invalid_argument when the camera has a lens distortion or no size. */
     RenderedView draw(const CameraModel& camera, const mrpt::poses::CPose3D& map_from_camera);
 
+    /** As draw(), the picture alone: costs half. */
+    cv::Mat draw_image(const CameraModel& camera, const mrpt::poses::CPose3D& map_from_camera);
+
     /** File of the library whose gl functions this program calls. */
     static std::string gl_library();
 
  private:
     class Context;
     struct Canvases;
+
+    mrpt::opengl::CFBORender& canvas_for(const CameraModel& camera,
+                                         const mrpt::poses::CPose3D& map_from_camera);
 
     std::shared_ptr<Context> context_;
     std::unique_ptr<Canvases> canvases_;

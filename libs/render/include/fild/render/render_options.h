@@ -18,11 +18,31 @@ enum class PictureChoice
     first
 };
 
+/** What the colour of a loop closure on the map tells. */
+enum class LoopColour
+{
+    inliers,
+    weight  ///< in the optimised graph
+};
+
 /** Section [render]. */
 struct TRenderOptions : Options
 {
+    bool enabled = true;  ///< false: no picture at all
     int max_match_pictures = 100;  ///< 0: none
     PictureChoice match_picture_choice = PictureChoice::spread;
+    int match_picture_width_px = 1400;
+    int max_match_lines = 120;  ///< in a picture; all matches have their marks
+    bool draw_rejected_matches = false;  ///< that passed the ratio test and are no inliers
+    bool match_pictures_3d = false;  ///< also, for loops with a metric pose
+
+    bool write_map_pictures = true;
+    int map_picture_width_px = 1600;
+    int map_picture_height_px = 1000;
+    LoopColour loop_colour = LoopColour::inliers;
+    int max_rejected_pairs = 300;  ///< on the map, those with most support
+    int max_map_cameras = 40;  ///< frusta on the map, evenly over the keyframes; 0: none
+    bool camera_images = false;  ///< in the frusta
 
  protected:
     void describe(OptionVisitor& visitor) override;

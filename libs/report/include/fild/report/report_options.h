@@ -12,7 +12,7 @@ struct TReportOptions : Options
     /** Pictures of pairs in report.html; each takes some 60 kB. Beyond that, evenly over the run.
      */
     int max_pictures = 150;
-    int picture_width_px = 800;  ///< wider pictures are scaled down
+    int picture_width_px = 700;  ///< wider pictures are scaled down
     /** Rejected pairs with a match picture, those with most support; 0: none. */
     int max_rejected_pictures = 20;
     /** Frames, evenly over the run, in the matrix of similarities; at least half as many when there

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/report/html_report.h"
+#include "truth.h"
+
+#include <string>
+
+namespace fild
+{
+/** What the ground truth says of the run whose results are in the folder.
+ *  \throw std::runtime_error, std::invalid_argument as read_run() and load_truth(). */
+ReportTruth judge_run(const std::string& folder, const TruthOptions& options);
+
+}  // namespace fild

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/verdict.h"
+#include "fild/detector/loop_detector.h"
+#include "fild/evaluation/frame_poses.h"
+#include "fild/mapping/map_builder.h"
+#include "fild/rawlog/input_options.h"
+#include "fild/render/map_scene.h"
+#include "fild/render/render_options.h"
+#include "output_folder.h"
+
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** What the pictures of a map show.
+ *  \param map  with at least one pose. \param verdicts  of all camera frames. */
+DrawnMap to_drawn_map(const Map& map,
+                      const std::vector<FrameVerdict>& verdicts,
+                      const TRenderOptions& options);
+
+/** The cameras of keyframes as [render] chooses them; those that are not calibrated are left out.
+ *  Their images come from a second pass over the rawlog.
+ *  \throw std::runtime_error as for_each_frame(). */
+std::vector<DrawnCamera> cameras_of(const Map& map,
+                                    const LoopDetector& detector,
+                                    const TRenderOptions& options,
+                                    const TInputOptions& input,
+                                    const std::string& rawlog);
+
+/** The true positions along the way, laid over the map.
+ *  \throw std::runtime_error as laid_over(). */
+std::vector<cv::Vec3d> true_way_over(const Map& map, const std::vector<PosedFrame>& truth);
+
+/** Writes map_top.png, map_perspective.png and map.3Dscene; an interruption ends it early.
+ *  \throw std::runtime_error when a file cannot be written. */
+void write_map_pictures(const DrawnMap& map,
+                        const TRenderOptions& options,
+                        const OutputFolder& folder);
+
+}  // namespace fild

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_output.h"
+
+#include "fild/features/model_file.h"
+#include "fild/report/process_memory.h"
+#include "interruption.h"
+#include "judged_run.h"
+#include "map_files.h"
+#include "map_pictures.h"
+#include "match_pictures.h"
+
+#include <mrpt/system/os.h>
+#include <opencv2/core/utility.hpp>
+
+#include <filesystem>
+#include <utility>
+
+namespace fild
+{
+RunOutput::RunOutput(const RunRequest& request,
+                     const OutputFolder& folder,
+                     const LoopClosureStream& stream,
+                     Gathered& gathered)
+    : request_(request),
+      options_(request.options),
+      folder_(folder),
+      stream_(stream),
+      gathered_(gathered),
+      summary_(gathered.summary),
+      times_(stream.times())
+{
+}
+
+void RunOutput::write(const MapBuilder& builder, std::chrono::steady_clock::time_point start)
+{
+    gathered_.candidates.commit();
+    gathered_.costs.commit();
+    attempt("no map", [&] { build_map(builder); });
+    gathered_.write_rows(map_);
+    remove_map_files(folder_);
+    attempt("no more map files", [&] { write_map_files(); });
+    attempt("no comparison with the ground truth", [&] { judge(); });
+    attempt("no more map pictures", [&] { draw_map(); });
+    attempt("no matrix of similarities", [&] { write_similarities(); });
+    attempt("no more match pictures", [&] { draw_matches(); });
+    count_depth_defects();
+    complete_summary(start);
+    write_summary(summary_, folder_.file("summary.json"));
+    if (options_.report.write_html)
+        attempt("no report", [&] { write_html_report(request_.output, options_.report, truth_); });
+}
+
+void RunOutput::attempt(const std::string& what_fails, const std::function<void()>& step)
+{
+    try
+    {
+        step();
+    }
+    catch (const std::exception& error)
+    {
+        const auto reason = what_fails + ": " + error.what();
+        if (summary_.ended_early.empty())
+            summary_.ended_early = reason;
+        else
+            summary_.map.notes.push_back(reason);
+    }
+}
+
+void RunOutput::build_map(const MapBuilder& builder)
+{
+    map_.emplace(builder.build(stream_.detector(), times_, throw_if_interrupted));
+    summary_.map = summary_of(*map_, summary_.camera_frames);
+}
+
+void RunOutput::write_map_files()
+{
+    if (!map_) return;
+    const StageTimer timer(times_, "map_files");
+    const MappedRawlog rawlog{request_.rawlog, options_.stream.input, summary_.camera_frames};
+    for (auto& note : fild::write_map_files(*map_, rawlog, options_.graph, folder_))
+        summary_.map.notes.push_back(std::move(note));
+}
+
+void RunOutput::judge()
+{
+    if (request_.truth) truth_ = judge_run(request_.output, *request_.truth);
+}
+
+/** Without a pose there is nothing to draw: write_map_files() has said so. */
+void RunOutput::draw_map()
+{
+    const auto& render = options_.render;
+    if (!map_ || map_->optimized.empty() || !render.enabled || !render.write_map_pictures ||
+        interrupted())
+        return;
+    const StageTimer timer(times_, "map_pictures");
+    auto drawn = to_drawn_map(*map_, gathered_.verdicts, render);
+    drawn.cameras =
+        cameras_of(*map_, stream_.detector(), render, options_.stream.input, request_.rawlog);
+    if (truth_ && !truth_->poses.empty()) drawn.ground_truth = true_way_over(*map_, truth_->poses);
+    write_map_pictures(drawn, render, folder_);
+}
+
+void RunOutput::write_similarities()
+{
+    std::filesystem::remove(folder_.file("similarity.png"));
+    if (!gathered_.similarities || summary_.usable_frames() == 0) return;
+    const StageTimer timer(times_, "similarity_matrix");
+    gathered_.similarities->write_png(folder_.file("similarity.png"));
+    summary_.frames_per_similarity_row = gathered_.similarities->frames_per_row();
+}
+
+void RunOutput::draw_matches()
+{
+    const StageTimer timer(times_, "match_pictures");
+    auto pairs = gathered_.pictures.chosen();
+    if (map_ && options_.render.match_pictures_3d) add_cameras(pairs, *map_, stream_.detector());
+    const DrawnRawlog rawlog{
+        request_.rawlog, options_.stream.input, options_.stream.detector.runtime.num_threads};
+    summary_.match_pictures =
+        draw_match_pictures(pairs, options_.render, rawlog, folder_.file("matches"));
+    if (interrupted() && summary_.ended_early.empty()) summary_.ended_early = "interrupted";
+}
+
+/** Pairs or depth images that serve no frame at all are told, unless the loops told it already. */
+void RunOutput::count_depth_defects()
+{
+    auto& defects = summary_.map.depth_defects;
+    for (std::size_t i = 0; i < summary_.camera_frames; ++i)
+        if (const auto* place = stream_.detector().find_place(FrameId{i}))
+            if (place->metric.depth_defect != DepthDefect::none)
+                ++defects[to_word(place->metric.depth_defect)];
+    for (const auto& [defect, count] : defects)
+        if (count == summary_.camera_frames && defect != to_word(DepthDefect::mono) &&
+            summary_.map.loops_withheld.count(defect) == 0)
+            summary_.map.notes.push_back("no frame has a depth of its own: " + defect);
+}
+
+/** Fills in all that is not counted frame by frame. */
+void RunOutput::complete_summary(std::chrono::steady_clock::time_point start)
+{
+    summary_.command = request_.command;
+    summary_.rawlog = request_.rawlog;
+    summary_.max_frames = request_.max_frames;
+    summary_.clock_jumps = stream_.detector().clock_jumps();
+    summary_.ignored_camera_labels = stream_.frames().ignored_camera_labels();
+    auto all_options = options_;
+    for (const auto& [name, options] : all_options.sections())
+        summary_.options.emplace_back(name, options->values());
+    summary_.versions = {{"mrpt-fild", FILD_VERSION},
+                         {"MRPT", mrpt::system::MRPT_getVersion()},
+                         {"OpenCV", cv::getVersionString()},
+                         {"compiler", __VERSION__}};
+    summary_.model_file = find_model_file(options_.stream.detector.global_descriptor.model_file);
+    summary_.model_sha256 = sha256_of_file(summary_.model_file);
+    summary_.map_bytes = stream_.detector().map_bytes();
+    summary_.peak_memory_bytes = peak_memory_bytes();
+    summary_.stage_times = times_.statistics();
+    summary_.wall_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace fild

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/core/stage_times.h"
+#include "fild/mapping/map_builder.h"
+#include "fild/report/html_report.h"
+#include "fild/stream/loop_closure_stream.h"
+#include "gathered.h"
+#include "loop_closure_run.h"
+#include "output_folder.h"
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace fild
+{
+/** Makes the results of a run, once all that can be read is read: the map, its files, pictures,
+ *  summary and report. An error ends only the step that it happens in; the first one stands in the
+ *  summary as the reason why the run is not whole, and an interruption does likewise. Refers to its
+ *  arguments. */
+class RunOutput
+{
+ public:
+    RunOutput(const RunRequest& request,
+              const OutputFolder& folder,
+              const LoopClosureStream& stream,
+              Gathered& gathered);
+
+    /** \param start  of the run. */
+    void write(const MapBuilder& builder, std::chrono::steady_clock::time_point start);
+
+    /** What the ground truth says of the run; nothing when there is none, or it cannot be had. */
+    const std::optional<ReportTruth>& truth() const { return truth_; }
+
+ private:
+    void attempt(const std::string& what_fails, const std::function<void()>& step);
+
+    void build_map(const MapBuilder& builder);
+    void write_map_files();
+    void judge();
+    void draw_map();
+    void draw_matches();
+    void write_similarities();
+    void count_depth_defects();
+    void complete_summary(std::chrono::steady_clock::time_point start);
+
+    const RunRequest& request_;
+    const TRunOptions& options_;
+    const OutputFolder& folder_;
+    const LoopClosureStream& stream_;
+    Gathered& gathered_;
+    RunSummary& summary_;
+    StageTimes times_;
+    std::optional<Map> map_;
+    std::optional<ReportTruth> truth_;
+};
+
+}  // namespace fild

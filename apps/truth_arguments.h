@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "app_main.h"
+#include "truth.h"
+
+#include <optional>
+#include <string>
+
+namespace fild
+{
+/** The arguments with which an app is given ground truth. */
+struct TruthArguments
+{
+    TruthArguments(TCLAP::CmdLine& command, bool required)
+        : protocol("p",
+                   "protocol",
+                   "What is a loop by poses: exact (default), window:FRAMES or radius:METRES",
+                   false,
+                   "exact",
+                   "PROTOCOL",
+                   command),
+          sensor("",
+                 "truth-sensor",
+                 "Of a rawlog: label of the sensor whose poses are the truth",
+                 false,
+                 "",
+                 "LABEL",
+                 command),
+          file("g",
+               "ground-truth",
+               "List of loops, MATLAB loop matrix, TUM or KITTI poses, rawlog with poses or GPS",
+               required,
+               "",
+               "FILE",
+               command)
+    {
+    }
+
+    /** Nothing when no ground truth is given. \throw WrongUsage, std::invalid_argument */
+    std::optional<TruthOptions> options()
+    {
+        if (file.isSet())
+            return TruthOptions{
+                file.getValue(), sensor.getValue(), parse_protocol(protocol.getValue())};
+        if (protocol.isSet() || sensor.isSet())
+            throw WrongUsage("--protocol and --truth-sensor belong to --ground-truth");
+        return std::nullopt;
+    }
+
+    using Text = TCLAP::ValueArg<std::string>;
+    Text protocol;
+    Text sensor;
+    Text file;
+};
+
+}  // namespace fild
