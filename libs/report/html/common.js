@@ -62,9 +62,10 @@ function factsTable(facts) {
 
 // ---- Charts -----------------------------------------------------------------------------------
 
-// Okabe and Ito: the colour-blind can tell them apart. Viridis for amounts.
+// Okabe and Ito: the colour-blind can tell them apart. Viridis for amounts. On maps, the colours of map_top.png.
 const palette = ['#0072b2', '#e69f00', '#009e73', '#d55e00', '#cc79a7', '#56b4e9', '#b8a800', '#7f7f7f', '#5b3a8e', '#8c564b'];
 const viridis = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
+const mapColours = {truth: '#f0b050', input: '#56b4e9', start: '#0072b2', end: '#d55e00'};
 const drawings = [];
 
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
@@ -201,7 +202,8 @@ const baseName = path => path.split('/').filter(Boolean).pop() || path;
 /** `accepted`, or why not. */
 const verdictOf = (run, frame) => run.frames.rejection[frame] || 'accepted';
 
-const pictureOf = (run, query) => run.pictures[query + '_' + run.frames.candidate[query]];
+const pairOf = (run, query) => query + '_' + run.frames.candidate[query];
+const pictureOf = (run, query) => run.pictures[pairOf(run, query)];
 
 /** The positions of all frames on the best trajectory that there is. */
 const bestTrajectory = run => run.trajectories.optimized || run.trajectories.input || [];
@@ -214,14 +216,40 @@ function captionOf(run, query) {
     + `${number(f.similarity[query], 3)}${verdict}`;
 }
 
+function showInFullSize(image) {
+  const dialog = element('dialog', {class: 'full', 'aria-label': image.alt, onclick: () => dialog.close()},
+                         element('img', {src: image.src, alt: image.alt}));
+  dialog.addEventListener('close', () => dialog.remove());
+  document.body.append(dialog);
+  dialog.showModal();
+}
+
+/** A picture that a click, or the enter key, shows in full size. */
+function pictureButton(source, alt) {
+  const image = element('img', {src: source, alt, loading: 'lazy'});
+  return element('button', {type: 'button', class: 'picture', title: 'show in full size', onclick: () => showInFullSize(image)}, image);
+}
+
+/** Shows the picture in 3D instead, and the other again. */
+function turnButton(figure, flat, solid) {
+  const button = element('button', {type: 'button', class: 'turn', onclick: () => {
+    const image = figure.querySelector('img');
+    const isFlat = image.src === flat;
+    image.src = isFlat ? solid : flat;
+    button.textContent = isFlat ? 'side by side' : 'in 3D';
+  }}, 'in 3D');
+  return button;
+}
+
 function figureOf(run, query, onclose = null) {
-  const picture = pictureOf(run, query);
+  const flat = pictureOf(run, query);
+  const solid = run.pictures[pairOf(run, query) + '_3d'];
   const caption = element('figcaption', {}, captionOf(run, query));
-  if (onclose) caption.prepend(element('button', {type: 'button', onclick: onclose, 'aria-label': 'close'}, 'close'));
-  const image = picture
-    ? element('img', {src: picture, alt: 'match picture of ' + captionOf(run, query), loading: 'lazy'})
-    : element('div', {class: 'empty'}, 'no picture of this pair was drawn');
-  return element('figure', {}, image, caption);
+  const figure = element('figure', {}, flat ? pictureButton(flat, 'match picture of ' + captionOf(run, query))
+                                            : element('div', {class: 'empty'}, 'no picture of this pair was drawn'), caption);
+  if (solid) caption.prepend(turnButton(figure, flat, solid));
+  if (onclose) caption.prepend(element('button', {type: 'button', class: 'close', onclick: onclose}, 'close'));
+  return figure;
 }
 
 /** A dozen at a time: the button shows the next ones. */

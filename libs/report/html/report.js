@@ -85,9 +85,10 @@ function fillMap() {
   const pictures = Object.entries(run.map_pictures);
   for (const [title, picture] of pictures)
     byId('map-pictures').append(
-      element('figure', {}, element('img', {src: picture, alt: 'map, ' + title}), element('figcaption', {}, title)));
+      element('figure', {}, pictureButton(picture, 'map ' + title), element('figcaption', {}, title)));
   const positions = Object.values(run.trajectories).flat().filter(known);
-  if (!pictures.length && positions.length) say(byId('map-pictures'), 'this run has no map_top.png and no map_perspective.png');
+  if (!pictures.length && positions.length) say(byId('map-pictures'),
+    'this run has no map_top.png and no map_perspective.png: [render] enabled or write_map_pictures is false, or they could not be drawn');
   if (!Object.values(run.trajectories).some(trajectory => trajectory.filter(known).length > 1)) {
     for (const id of ['map-title', 'map-hint']) byId(id).remove();
     return say(byId('map-chart'), positions.length ? 'a single position makes no way to draw' : run.no_map_reason);
@@ -105,9 +106,9 @@ function loopTooltip(query) {
 }
 
 function mapSeries() {
-  const lines = [['truth', 'ground truth', {color: colour('faint'), type: 'dotted'}],
-                 ['input', 'before optimisation', {color: '#d55e00', type: 'dashed'}],
-                 ['optimized', 'after optimisation', {color: colour('accent'), type: 'solid'}]];
+  const lines = [['truth', 'ground truth', {color: mapColours.truth, width: 6}],
+                 ['input', 'before the loops', {color: mapColours.input}],
+                 ['optimized', 'optimised path', {color: colour('ink')}]];
   return [
     ...lines.filter(([name]) => run.trajectories[name])
       .map(([name, title, style]) => trajectoryLine(title, run.trajectories[name], style)),
@@ -133,10 +134,12 @@ function edgeSeries(name, queries, styleOf) {
 
 function loopSeries() {
   const loops = new Map(run.loops.map(loop => [loop.query, loop]));
-  const most = run.loops.reduce((m, loop) => Math.max(m, loop.inliers), 1);
+  const inliersOf = run.loops.map(loop => loop.inliers);
+  const [least, most] = [inliersOf.reduce((a, b) => Math.min(a, b), Infinity), inliersOf.reduce((a, b) => Math.max(a, b), 0)];
   return edgeSeries('loop closures, brighter with more inliers', [...loops.keys()], query => {
     const {inliers, weight} = loops.get(query);
-    return {color: viridisAt(0.2 + 0.8 * inliers / most), width: 3, opacity: weight === 0 ? 0.3 : 0.9,
+    const part = most > least ? (inliers - least) / (most - least) : 1;
+    return {color: viridisAt(0.12 + 0.81 * part), width: 3, opacity: weight === 0 ? 0.3 : 0.9,
             type: weight === 0 ? 'dotted' : 'solid'};
   });
 }
@@ -145,10 +148,10 @@ function endSeries() {
   const path = bestTrajectory(run).filter(known);
   if (path.length < 2) return [];
   const mark = (place, symbol, name, position) => ({
-    value: place.slice(0, 2), symbol,
+    value: place.slice(0, 2), symbol, itemStyle: {color: mapColours[name]},
     label: {show: true, formatter: name, position, color: colour('ink'), textBorderColor: colour('page'), textBorderWidth: 3}});
-  return [{name: 'start and end', type: 'scatter', z: 5, itemStyle: {color: colour('ink')}, silent: true, symbolSize: 13,
-           data: [mark(path[0], 'circle', 'start', 'top'), mark(path[path.length - 1], 'rect', 'end', 'bottom')]}];
+  return [{name: 'start and end', type: 'scatter', z: 5, color: mapColours.start, silent: true, symbolSize: 13,
+           data: [mark(path[0], 'circle', 'start', 'left'), mark(path[path.length - 1], 'rect', 'end', 'right')]}];
 }
 
 // ---- Verdicts ---------------------------------------------------------------------------------

@@ -70,7 +70,7 @@ class Report(PageTest):
     def setUpClass(cls):
         super().setUpClass()
         folder = os.path.join(cls.scratch.name, "run")
-        write_run(Drive(200), folder)
+        write_run(Drive(200), folder, in_3d=True)
         cls.page = make_report(folder, "--ground-truth", os.path.join(folder, "truth.tum"), "--protocol", "radius:5")
 
     def test_fits_every_screen(self):
@@ -110,9 +110,25 @@ class Report(PageTest):
         self.assertIn(f"frame {frame} at frame", self.browser.element(".edge-tooltip").text)
         self.browser.click()
         self.browser.wait_for("return document.querySelector('#pinned figure img')?.naturalWidth > 0")
-        self.browser.press("#pinned button")
+        self.browser.press("#pinned .close")
         self.assertEqual(self.browser.count("#pinned figure"), 0)
         self.expect_quiet()
+
+    def test_pictures_open_in_full_size(self):
+        self.browser.open(self.page)
+        self.browser.press("#gallery .picture")
+        self.browser.wait_for("return document.querySelector('dialog[open] img')?.naturalWidth > 0")
+        self.browser.press("dialog")
+        self.assertEqual(self.browser.count("dialog"), 0)
+
+    def test_pictures_turn_to_3d(self):
+        self.browser.open(self.page)
+        source = "return document.querySelector('#gallery figure img').src"
+        flat = self.browser.run(source)
+        self.browser.press("#gallery .turn")
+        self.assertNotEqual(self.browser.run(source), flat)
+        self.browser.press("#gallery .turn")
+        self.assertEqual(self.browser.run(source), flat)
 
     def test_the_map_zooms(self):
         self.browser.open(self.page)
