@@ -92,6 +92,22 @@ TEST(HtmlReport, BoundsItsPictures)
     EXPECT_TRUE(report_of(run, options)["pictures"].empty());
 }
 
+TEST(HtmlReport, ReadsTrajectoriesOfBothFormats)
+{
+    const RunFolderFiles run({frame_at(0), frame_at(1)});
+    write_text(run.path("trajectory_input.kitti"),
+               "0 -1 0 5 1 0 0 2 0 0 1 3\n1 0 0 6 0 1 0 7 0 0 1 8\n");
+    write_text(run.path("trajectory_optimized.tum"), "1000.100000 5 4 0 0 0 0 1\n");
+    const auto trajectories = report_of(run)["trajectories"];
+    EXPECT_EQ(trajectories["input"][0], (std::vector<double>{5, 2, 3}));
+    EXPECT_EQ(trajectories["input"][1], (std::vector<double>{6, 7, 8}));
+    EXPECT_TRUE(trajectories["optimized"][0].is_null());
+    EXPECT_EQ(trajectories["optimized"][1], (std::vector<double>{5, 4, 0}));
+
+    write_text(run.path("trajectory_input.kitti"), "1 0 0 6 0 1 0 7 0 0 1 8\n");
+    EXPECT_THAT(error_of(run), HasSubstr("trajectory_input.kitti"));
+}
+
 TEST(HtmlReport, TellsHowFarEdgesAreFromTheTrajectory)
 {
     fild::LoopRow edge;

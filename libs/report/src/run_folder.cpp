@@ -11,7 +11,9 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace fild
 {
@@ -82,6 +84,19 @@ Json positions_json(const PosesOfFrames& poses)
     return json;
 }
 
+/** A trajectory in whichever of the two formats of [graph] trajectory_format it was written;
+ * nothing when there is none. */
+std::optional<std::vector<TimedPose>> read_trajectory(const RunFolder& run, const std::string& name)
+{
+    const auto path = run.path + "/trajectory_" + name;
+    if (fs::exists(path + ".tum")) return read_tum_trajectory(path + ".tum");
+    if (!fs::exists(path + ".kitti")) return std::nullopt;
+    std::vector<TimedPose> poses;
+    for (const auto& frame : read_kitti_poses(path + ".kitti", run.frames))
+        if (frame.pose) poses.push_back({frame.timestamp, *frame.pose});
+    return poses;
+}
+
 /** `input`, `optimized` and `truth`, those that there are; laid over the truth when it is known. */
 std::map<std::string, PosesOfFrames> read_trajectories(const RunFolder& run,
                                                        const std::optional<ReportTruth>& truth)
@@ -90,11 +105,10 @@ std::map<std::string, PosesOfFrames> read_trajectories(const RunFolder& run,
     const bool has_truth = truth && !truth->poses.empty();
     for (const std::string name : {"input", "optimized"})
     {
-        const auto path = run.path + "/trajectory_" + name + ".tum";
-        if (!fs::exists(path)) continue;
-        auto poses = read_tum_trajectory(path);
-        if (has_truth) poses = aligned_with(poses, truth->poses);
-        trajectories[name] = poses_of_frames(poses, run.frames);
+        auto poses = read_trajectory(run, name);
+        if (!poses) continue;
+        if (has_truth) poses = aligned_with(*poses, truth->poses);
+        trajectories[name] = poses_of_frames(*poses, run.frames);
     }
     if (!has_truth) return trajectories;
     for (const auto& frame : truth->poses) trajectories["truth"].push_back(frame.pose);
@@ -148,7 +162,7 @@ std::string why_no_map(const Json& summary)
     if (auto ended = summary.value("ended_early", ""); !ended.empty()) return ended;
     for (const auto& note : summary.value("map", Json::object()).value("notes", Json::array()))
         if (auto text = note.get<std::string>(); text.rfind("no map", 0) == 0) return text;
-    return "this run has no trajectory_input.tum and no trajectory_optimized.tum";
+    return "this run has no file trajectory_input and no trajectory_optimized, .tum or .kitti";
 }
 }  // namespace
 
