@@ -92,6 +92,28 @@ TEST(HtmlReport, BoundsItsPictures)
     EXPECT_TRUE(report_of(run, options)["pictures"].empty());
 }
 
+TEST(HtmlReport, HasPicturesIn3dWhereThereIsRoom)
+{
+    std::vector<fild::FrameVerdict> frames = {frame_at(0)};
+    for (std::size_t i = 1; i <= 4; ++i) frames.push_back(loop_at(i, 0));
+    const RunFolderFiles run(frames);
+    for (std::size_t i = 1; i <= 4; ++i) run.add_match_picture(frames[i]);
+    EXPECT_TRUE(report_of(run)["pictures_3d"].empty());
+    for (std::size_t i = 2; i <= 4; ++i) run.add_match_picture(frames[i], "_3d");
+    const auto data = report_of(run);
+    EXPECT_EQ(data["pictures"].size(), 4U);
+    EXPECT_EQ(data["pictures_3d"].size(), 3U);
+    EXPECT_THAT(data["pictures_3d"]["2_0"].get<std::string>(), StartsWith("data:image/jpeg;"));
+
+    fild::TReportOptions options;
+    options.max_pictures = 5;
+    EXPECT_EQ(report_of(run, options)["pictures"].size(), 4U);
+    EXPECT_EQ(report_of(run, options)["pictures_3d"].size(), 1U);
+    options.max_pictures = 3;
+    EXPECT_EQ(report_of(run, options)["pictures"].size(), 3U);
+    EXPECT_TRUE(report_of(run, options)["pictures_3d"].empty());
+}
+
 TEST(HtmlReport, ReadsTrajectoriesOfBothFormats)
 {
     const RunFolderFiles run({frame_at(0), frame_at(1)});

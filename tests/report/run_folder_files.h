@@ -77,12 +77,12 @@ class RunFolderFiles
     RunSummary& summary() { return summary_; }
     void write() const { write_summary(summary_, path("summary.json")); }
 
-    /** A picture 1000 pixels wide. */
-    void add_match_picture(const FrameVerdict& pair) const
+    /** A picture 1000 pixels wide. \param variant  "_3d" for the other view of the pair. */
+    void add_match_picture(const FrameVerdict& pair, const std::string& variant = "") const
     {
         std::filesystem::create_directories(path("matches"));
         cv::imwrite(path("matches/" + std::to_string(to_index(pair.frame)) + "_" +
-                         std::to_string(to_index(pair.candidate->frame)) + ".png"),
+                         std::to_string(to_index(pair.candidate->frame)) + variant + ".png"),
                     cv::Mat(300, 1000, CV_8UC3, cv::Scalar(40, 90, 160)));
     }
 

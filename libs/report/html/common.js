@@ -201,7 +201,8 @@ const baseName = path => path.split('/').filter(Boolean).pop() || path;
 /** `accepted`, or why not. */
 const verdictOf = (run, frame) => run.frames.rejection[frame] || 'accepted';
 
-const pictureOf = (run, query) => run.pictures[query + '_' + run.frames.candidate[query]];
+const pairOf = (run, query) => query + '_' + run.frames.candidate[query];
+const pictureOf = (run, query) => run.pictures[pairOf(run, query)];
 
 /** The positions of all frames on the best trajectory that there is. */
 const bestTrajectory = run => run.trajectories.optimized || run.trajectories.input || [];
@@ -214,14 +215,25 @@ function captionOf(run, query) {
     + `${number(f.similarity[query], 3)}${verdict}`;
 }
 
+/** The match picture of a pair; where there is one in 3D too, a button changes between them. */
+function pictureElement(run, query) {
+  const key = pairOf(run, query);
+  if (!run.pictures[key]) return element('div', {class: 'empty'}, 'no picture of this pair was drawn');
+  const image = element('img', {src: run.pictures[key], alt: 'match picture of ' + captionOf(run, query), loading: 'lazy'});
+  if (!run.pictures_3d[key]) return image;
+  const button = element('button', {type: 'button', class: 'turn', 'aria-pressed': 'false', onclick: () => {
+    const standing = button.getAttribute('aria-pressed') === 'false';
+    button.setAttribute('aria-pressed', String(standing));
+    image.src = (standing ? run.pictures_3d : run.pictures)[key];
+    image.alt = (standing ? 'the pair in 3D, ' : 'match picture of ') + captionOf(run, query);
+  }}, 'in 3D');
+  return element('div', {class: 'views'}, image, button);
+}
+
 function figureOf(run, query, onclose = null) {
-  const picture = pictureOf(run, query);
   const caption = element('figcaption', {}, captionOf(run, query));
-  if (onclose) caption.prepend(element('button', {type: 'button', onclick: onclose, 'aria-label': 'close'}, 'close'));
-  const image = picture
-    ? element('img', {src: picture, alt: 'match picture of ' + captionOf(run, query), loading: 'lazy'})
-    : element('div', {class: 'empty'}, 'no picture of this pair was drawn');
-  return element('figure', {}, image, caption);
+  if (onclose) caption.prepend(element('button', {type: 'button', onclick: onclose}, 'close'));
+  return element('figure', {}, pictureElement(run, query), caption);
 }
 
 /** A dozen at a time: the button shows the next ones. */

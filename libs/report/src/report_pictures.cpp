@@ -13,6 +13,25 @@ namespace fild
 namespace
 {
 using Json = nlohmann::ordered_json;
+
+/** QUERY_CANDIDATE_3d.png beside the match picture, relative to the folder; empty when there is
+ * none. */
+std::string match_picture_3d_of(const std::string& folder, const FrameVerdict& frame)
+{
+    std::filesystem::path picture = match_picture_of(folder, frame);
+    if (picture.empty()) return "";
+    picture.replace_filename(picture.stem().string() + "_3d.png");
+    std::error_code unreadable_is_absent;
+    const bool is_there =
+        std::filesystem::exists(std::filesystem::path(folder) / picture, unreadable_is_absent);
+    return is_there ? picture.string() : "";
+}
+
+std::string pair_key(const FrameVerdict& frame)
+{
+    return std::to_string(to_index(frame.frame)) + "_" +
+           std::to_string(to_index(frame.candidate->frame));
+}
 }  // namespace
 
 std::vector<std::size_t> spread(std::size_t count, std::size_t size)
@@ -48,19 +67,28 @@ std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
     return chosen;
 }
 
-Json pictures_json(const std::string& folder,
-                   const std::vector<const FrameVerdict*>& frames,
-                   int max_width_px)
+void add_pictures(Json& page,
+                  const std::string& folder,
+                  const std::vector<const FrameVerdict*>& frames,
+                  std::size_t limit,
+                  int max_width_px)
 {
-    Json pictures = Json::object();
+    const auto url = [&](const std::string& picture) {
+        return data_url_of_picture((std::filesystem::path(folder) / picture).string(),
+                                   max_width_px);
+    };
+    page["pictures"] = page["pictures_3d"] = Json::object();
+    std::vector<const FrameVerdict*> with_3d;
     for (const auto* frame : frames)
     {
         const auto picture = frame->candidate ? match_picture_of(folder, *frame) : "";
         if (picture.empty()) continue;
-        pictures[std::filesystem::path(picture).stem().string()] =
-            data_url_of_picture((std::filesystem::path(folder) / picture).string(), max_width_px);
+        page["pictures"][pair_key(*frame)] = url(picture);
+        if (!match_picture_3d_of(folder, *frame).empty()) with_3d.push_back(frame);
     }
-    return pictures;
+    const auto room = limit - std::min(limit, page["pictures"].size());
+    for (const auto i : spread(room, with_3d.size()))
+        page["pictures_3d"][pair_key(*with_3d[i])] = url(match_picture_3d_of(folder, *with_3d[i]));
 }
 
 Json map_pictures_json(const std::string& folder)

@@ -140,11 +140,15 @@ def photograph(random, width, height):
 
 
 def write_pictures(drive, folder, accepted=100, rejected=20):
+    """Every second pair has a picture in 3D too."""
     os.makedirs(os.path.join(folder, "matches"))
     chosen = [frames[::max(1, len(frames) // count)][:count] for frames, count in
               ((drive.accepted(), accepted), (drive.rejected(), rejected)) if frames]
-    for frame in (frame for frames in chosen for frame in frames):
-        cv2.imwrite(os.path.join(folder, "matches", f"{frame}_{drive.candidate(frame)}.png"), photograph(drive.random, 1280, 430))
+    for i, frame in enumerate(frame for frames in chosen for frame in frames):
+        name = os.path.join(folder, "matches", f"{frame}_{drive.candidate(frame)}")
+        cv2.imwrite(name + ".png", photograph(drive.random, 1280, 430))
+        if i % 2 == 0:
+            cv2.imwrite(name + "_3d.png", photograph(drive.random, 1000, 625))
     if drive.trajectory:
         for name in ("map_top.png", "map_perspective.png"):
             cv2.imwrite(os.path.join(folder, name), photograph(drive.random, 1600, 1000))

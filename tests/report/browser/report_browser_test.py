@@ -110,9 +110,22 @@ class Report(PageTest):
         self.assertIn(f"frame {frame} at frame", self.browser.element(".edge-tooltip").text)
         self.browser.click()
         self.browser.wait_for("return document.querySelector('#pinned figure img')?.naturalWidth > 0")
-        self.browser.press("#pinned button")
+        self.browser.press("#pinned figcaption button")
         self.assertEqual(self.browser.count("#pinned figure"), 0)
         self.expect_quiet()
+
+    def test_a_pair_can_be_seen_in_3d(self):
+        self.browser.open(self.page)
+        shown = "const image = document.querySelector('#gallery .views img'); return [image.src, image.alt]"
+        flat = self.browser.run(shown)
+        self.browser.press("#gallery .views button")
+        standing = self.browser.run(shown)
+        self.assertNotEqual(flat[0], standing[0])
+        self.assertIn("in 3D", standing[1])
+        self.browser.wait_for("const image = document.querySelector('#gallery .views img');"
+                              "image.scrollIntoView(); return image.naturalWidth > 0")
+        self.browser.press("#gallery .views button")
+        self.assertEqual(self.browser.run(shown), flat)
 
     def test_the_map_zooms(self):
         self.browser.open(self.page)
