@@ -107,7 +107,7 @@ class Report(PageTest):
         frame = self.point_at_a_loop()
         self.browser.wait_for("const image = document.querySelector('.edge-tooltip img');"
                               "return image && image.complete && image.naturalWidth > 0 && image.offsetWidth > 0")
-        self.assertIn(f"frame {frame} at frame", self.browser.element(".edge-tooltip").text)
+        self.assertIn(f"frame {frame} and frame", self.browser.element(".edge-tooltip").text)
         self.browser.click()
         self.browser.wait_for("return document.querySelector('#pinned figure img')?.naturalWidth > 0")
         self.browser.press("#pinned figcaption button")
@@ -147,6 +147,45 @@ class Report(PageTest):
         self.browser.element("#filter-frame").clear()
         self.browser.element("#filter-frame").send_keys("no number")
         self.assertEqual(self.browser.run(rows), 0)
+
+    def test_a_row_shows_its_picture_without_a_mouse(self):
+        self.browser.open(self.page)
+        frame = self.browser.run("return run.loops.map(loop => loop.query).find(query => pictureOf(run, query))")
+        self.browser.element("#filter-frame").send_keys(f"{frame}-{frame}")
+        button = self.browser.element("#frames tbody button")
+        button.send_keys("\n")
+        self.assertEqual(button.get_attribute("aria-expanded"), "true")
+        self.browser.wait_for("return document.querySelector('#frames figure img').naturalWidth > 0")
+        button.send_keys("\n")
+        self.assertEqual(self.browser.count("#frames figure"), 0)
+
+    def test_a_point_of_a_chart_shows_its_frame(self):
+        self.browser.open(self.page)
+        frame, x, y = self.browser.run("""
+            const frame = run.loops.map(loop => loop.query).find(query => pictureOf(run, query));
+            const chart = echarts.getInstanceByDom(byId('inliers-chart'));
+            return [frame, ...chart.convertToPixel('grid', [frame, run.frames.inliers[frame]])]""")
+        self.browser.point_at("#inliers-chart", x, y)
+        self.browser.click()
+        self.browser.wait_for("return document.querySelector('#frames figure img')?.naturalWidth > 0")
+        self.assertIn(f"frame {frame} and frame", self.browser.element("#frames figcaption").text)
+
+    def test_a_tooltip_fits_a_phone(self):
+        self.browser.open(self.page, PHONE)
+        self.point_at_a_loop()
+        self.browser.wait_for("return document.querySelector('.edge-tooltip img')?.offsetWidth > 0")
+        left, right = self.browser.run("""
+            const box = document.querySelector('.edge-tooltip').parentElement.getBoundingClientRect();
+            return [box.left, box.right]""")
+        self.assertGreaterEqual(left, 0)
+        self.assertLessEqual(right, PHONE)
+
+    def test_explains_its_words(self):
+        self.browser.open(self.page)
+        self.browser.run("document.querySelectorAll('details').forEach(one => one.open = true)")
+        self.assertIn("root mean square distance", self.browser.element("#headline-words").text)
+        self.assertIn("no frame is old enough", self.browser.element("#verdict-words").text)
+        self.assertNotIn("another version", self.browser.element("#verdict-words").text)
 
     def test_a_bar_filters_the_table(self):
         self.browser.open(self.page)
