@@ -92,27 +92,41 @@ TEST(HtmlReport, BoundsItsPictures)
     EXPECT_TRUE(report_of(run, options)["pictures"].empty());
 }
 
-TEST(HtmlReport, CountsPicturesIn3dAsPictures)
+TEST(HtmlReport, HasPicturesIn3dWhereThereIsRoom)
 {
-    const RunFolderFiles run(two_laps());
+    std::vector<fild::FrameVerdict> frames = {frame_at(0)};
+    for (std::size_t i = 1; i <= 4; ++i) frames.push_back(loop_at(i, 0));
+    const RunFolderFiles run(frames);
+    for (std::size_t i = 1; i <= 4; ++i) run.add_match_picture(frames[i]);
+    EXPECT_TRUE(report_of(run)["pictures_3d"].empty());
+    for (std::size_t i = 2; i <= 4; ++i) run.add_match_picture(frames[i], "_3d");
+    const auto data = report_of(run);
+    EXPECT_EQ(data["pictures"].size(), 4U);
+    EXPECT_EQ(data["pictures_3d"].size(), 3U);
+    EXPECT_THAT(data["pictures_3d"]["2_0"].get<std::string>(), StartsWith("data:image/jpeg;"));
+
     fild::TReportOptions options;
-    options.max_pictures = 2;
-    for (const auto& loop : {loop_at(2, 0), loop_at(3, 1)}) run.add_match_picture(loop);
-    EXPECT_EQ(report_of(run, options)["pictures"].size(), 2U);
-    for (const auto& loop : {loop_at(2, 0), loop_at(3, 1)}) run.add_match_picture(loop, "_3d");
-    const auto pictures = report_of(run, options)["pictures"];
-    EXPECT_EQ(pictures.size(), 2U);
-    EXPECT_TRUE(pictures.contains("3_1"));
-    EXPECT_TRUE(pictures.contains("3_1_3d"));
+    options.max_pictures = 5;
+    EXPECT_EQ(report_of(run, options)["pictures"].size(), 4U);
+    EXPECT_EQ(report_of(run, options)["pictures_3d"].size(), 1U);
+    options.max_pictures = 3;
+    EXPECT_EQ(report_of(run, options)["pictures"].size(), 3U);
+    EXPECT_TRUE(report_of(run, options)["pictures_3d"].empty());
 }
 
 TEST(HtmlReport, ReadsTrajectoriesOfBothFormats)
 {
-    const RunFolderFiles run({frame_at(0), loop_at(1, 0)});
+    const RunFolderFiles run({frame_at(0), frame_at(1)});
     write_text(run.path("trajectory_input.kitti"),
-               "1 0 0 5 0 1 0 6 0 0 1 7\n1 0 0 8 0 1 0 9 0 0 1 0\n");
-    EXPECT_EQ(report_of(run)["trajectories"]["input"][1], (std::vector<double>{8, 9, 0}));
-    write_text(run.path("trajectory_input.kitti"), "1 0 0 5 0 1 0 6 0 0 1 7\n");
+               "0 -1 0 5 1 0 0 2 0 0 1 3\n1 0 0 6 0 1 0 7 0 0 1 8\n");
+    write_text(run.path("trajectory_optimized.tum"), "1000.100000 5 4 0 0 0 0 1\n");
+    const auto trajectories = report_of(run)["trajectories"];
+    EXPECT_EQ(trajectories["input"][0], (std::vector<double>{5, 2, 3}));
+    EXPECT_EQ(trajectories["input"][1], (std::vector<double>{6, 7, 8}));
+    EXPECT_TRUE(trajectories["optimized"][0].is_null());
+    EXPECT_EQ(trajectories["optimized"][1], (std::vector<double>{5, 4, 0}));
+
+    write_text(run.path("trajectory_input.kitti"), "1 0 0 6 0 1 0 7 0 0 1 8\n");
     EXPECT_THAT(error_of(run), HasSubstr("trajectory_input.kitti"));
 }
 

@@ -77,7 +77,7 @@ class RunFolderFiles
     RunSummary& summary() { return summary_; }
     void write() const { write_summary(summary_, path("summary.json")); }
 
-    /** A picture 1000 pixels wide. */
+    /** A picture 1000 pixels wide. \param variant  "_3d" for the other view of the pair. */
     void add_match_picture(const FrameVerdict& pair, const std::string& variant = "") const
     {
         std::filesystem::create_directories(path("matches"));

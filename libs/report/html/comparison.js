@@ -3,7 +3,7 @@
 const runs = data.runs;
 const names = runs.map(run => baseName(run.folder));
 if (names[0] === names[1]) runs.forEach((run, i) => names[i] = run.folder);
-const sideColours = ['#d55e00', '#0072b2'];
+const sideColour = side => side ? colour('accent') : '#d55e00';
 const frameCount = Math.max(...runs.map(frameCountOf));
 
 function fillHead() {
@@ -26,6 +26,8 @@ function fillHead() {
 /** Numbers of the pose graph; none when there is no graph. */
 const graphOf = run => (run.summary.map || {}).nodes ? run.summary.map : {};
 
+const milliseconds = value => number(value, 1) + '\u00a0ms';
+
 /** Name, the number of a run (undefined: it has none), and how it is written. */
 const metrics = [
   ['camera frames', run => frameCountOf(run), number],
@@ -33,13 +35,13 @@ const metrics = [
   ['precision', run => (run.evaluation || {}).precision, share],
   ['recall', run => (run.evaluation || {}).recall, share],
   ['wrong loop closures', run => (run.evaluation || {}).wrong, number],
-  ['trajectory error (ATE) before', run => (run.evaluation || {}).ate_input_m, metres],
-  ['trajectory error (ATE) after', run => (run.evaluation || {}).ate_optimized_m, metres],
+  ['absolute trajectory error (ATE) before', run => (run.evaluation || {}).ate_input_m, metres],
+  ['absolute trajectory error (ATE) after', run => (run.evaluation || {}).ate_optimized_m, metres],
   ['keyframes', run => graphOf(run).nodes, number],
   ['loop edges', run => graphOf(run).loop_edges, number],
-  ['chi2 after optimisation', run => graphOf(run).chi2_after, large],
-  ['time of a frame, mean', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).mean, value => number(value, 1) + ' ms'],
-  ['time of a frame, 95 % below', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).p95, value => number(value, 1) + ' ms'],
+  ['chi\u00b2 after optimisation: disagreement of the edges', run => graphOf(run).chi2_after, large],
+  ['time of a frame, mean', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).mean, milliseconds],
+  ['time of a frame, 95 % are below', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).p95, milliseconds],
   ['time of the whole run', run => run.summary.wall_seconds, clock],
   ['memory at most', run => run.summary.memory.peak_bytes, bytes],
   ['held to recognise places', run => run.summary.memory.map_bytes, bytes],
@@ -47,8 +49,8 @@ const metrics = [
 
 function difference([first, second], write) {
   if (!known(first) || !known(second)) return '';
-  if (first === second) return 'same';
-  const percent = first ? ` (${second > first ? '+' : '\u2212'}${number(100 * Math.abs(second / first - 1), 1)} %)` : '';
+  if (write(first) === write(second)) return 'same';
+  const percent = first ? ` (${second > first ? '+' : '\u2212'}${number(100 * Math.abs(second / first - 1), 1)}\u00a0%)` : '';
   return `${second > first ? '+' : '\u2212'}${write(Math.abs(second - first))}${percent}`;
 }
 
@@ -56,7 +58,7 @@ function fillNumbers() {
   const rows = metrics.map(([name, get, write]) => [name, runs.map(get), write])
     .filter(([, values]) => values.some(known))
     .map(([name, values, write]) => [name, ...values.map(value => known(value) ? write(value) : '-'), difference(values, write)]);
-  byId('metrics').append(...tableOf(['', ...names, 'difference'], rows));
+  byId('metrics').append(...tableOf(['number', ...names.map(breakable), 'difference'], rows));
 }
 
 function fillOptions() {
@@ -72,7 +74,7 @@ function fillOptions() {
     .map(key => [key, ...all.map(options => options.has(key) ? options.get(key) || '(empty)' : '(not there)')]);
   const panel = byId('differing-options');
   if (!rows.length) return say(panel, 'none: both runs had the same options, versions and model');
-  panel.append(element('div', {class: 'scroll'}, element('table', {class: 'differences'}, ...tableOf(['', ...names], rows))));
+  panel.append(element('div', {class: 'scroll', tabindex: 0}, element('table', {class: 'differences'}, ...tableOf(['option', ...names.map(breakable)], rows))));
 }
 
 // ---- Loop closures ----------------------------------------------------------------------------
@@ -92,8 +94,8 @@ function drawLoops() {
     xAxis: {...frameAxis(frameCount), name: 'earlier frame'},
     yAxis: {...frameAxis(frameCount), name: 'frame', nameGap: 44, inverse: true},
     series: [series('both', 'circle', '#7f7f7f', common, runs[1]),
-             series(`only ${names[0]}`, 'triangle', sideColours[0], onlyIn(0), runs[0]),
-             series(`only ${names[1]}`, 'diamond', sideColours[1], onlyIn(1), runs[1])],
+             series(`only ${names[0]}`, 'triangle', sideColour(0), onlyIn(0), runs[0]),
+             series(`only ${names[1]}`, 'diamond', sideColour(1), onlyIn(1), runs[1])],
   }));
 }
 
@@ -122,14 +124,15 @@ function fillDifferences(id, side) {
 // ---- Map and time -----------------------------------------------------------------------------
 
 function drawMap() {
-  const lines = runs.map((run, i) => [names[i], bestTrajectory(run), {color: sideColours[i], type: i ? 'solid' : 'dashed'}])
+  const lines = () => runs.map((run, i) => [names[i], bestTrajectory(run), {color: sideColour(i), type: i ? 'solid' : 'dashed'}])
     .filter(([, positions]) => positions.some(known));
-  if (!lines.length) return say(byId('map-chart'), runs[0].no_map_reason);
+  const reasons = new Set(runs.filter(run => !bestTrajectory(run).some(known)).map(run => run.no_map_reason));
+  if (!lines().length) return say(byId('map-chart'), [...reasons].join('; '));
   const truth = runs[0].trajectories.truth || runs[1].trajectories.truth;
-  const all = [...lines.map(([, positions]) => positions), truth || []].flat().filter(known);
+  const all = [...lines().map(([, positions]) => positions), truth || []].flat().filter(known);
   drawMapOf(all, () => [
     ...(truth ? [trajectoryLine('ground truth', truth, {color: colour('faint'), type: 'dotted'})] : []),
-    ...lines.map(line => trajectoryLine(...line))]);
+    ...lines().map(line => trajectoryLine(...line))]);
 }
 
 fillHead();

@@ -8,8 +8,18 @@ const secondsOf = frame => run.frames.timestamp[frame] - run.frames.timestamp[0]
 
 // ---- Headline ---------------------------------------------------------------------------------
 
-function card(value, what, hint = '') {
-  return element('div', {class: 'card', title: hint}, element('b', {}, value), element('span', {}, what));
+const card = (value, what) => element('div', {class: 'card'}, element('b', {}, value), element('span', {}, what));
+
+/** What the words on the cards mean, of those that are there. */
+function headlineWords(errors) {
+  const meanings = [['loop closure', 'a frame that was recognised as a return to a place seen before']];
+  if (run.evaluation) meanings.push(
+    ['precision', 'loop closures that are right, of those that are right or wrong'],
+    ['recall', 'frames with a right loop closure, of those that have one to find']);
+  if (known(errors.ate_input_m) || known(errors.ate_optimized_m)) meanings.push(
+    ['absolute trajectory error (ATE)', 'root mean square distance of the positions from the true ones, after the best '
+      + 'rotation and translation; before and after the loop closures were used']);
+  return meanings;
 }
 
 function fillHeadline() {
@@ -21,21 +31,17 @@ function fillHeadline() {
     + (frameCount > 1 ? ` in ${clock(secondsOf(frameCount - 1))}` : '');
   const cards = [
     card(number(frameCount), plural(frameCount, 'camera frame')),
-    card(number(run.loops.length), plural(run.loops.length, 'loop closure'), 'frames that were recognised as a return'),
+    card(number(run.loops.length), plural(run.loops.length, 'loop closure')),
   ];
   const errors = run.evaluation || {};
-  const ate = 'Absolute trajectory error (ATE): root mean square distance of the positions from the true ones, after '
-    + 'the best rotation and translation';
-  if (run.evaluation) {
-    cards.push(card(share(errors.precision), 'precision', 'loop closures that are right / right or wrong'),
-               card(share(errors.recall), 'recall', 'frames with a right loop closure / frames that have one to find'));
-  }
-  if (known(errors.ate_input_m)) cards.push(card(metres(errors.ate_input_m), 'trajectory error (ATE) before', ate));
-  if (known(errors.ate_optimized_m)) cards.push(card(metres(errors.ate_optimized_m), 'trajectory error (ATE) after', ate));
+  if (run.evaluation) cards.push(card(share(errors.precision), 'precision'), card(share(errors.recall), 'recall'));
+  if (known(errors.ate_input_m)) cards.push(card(metres(errors.ate_input_m), 'trajectory error (ATE) before'));
+  if (known(errors.ate_optimized_m)) cards.push(card(metres(errors.ate_optimized_m), 'trajectory error (ATE) after'));
   const whole = (summary.stage_times_ms || {}).whole_frame;
   if (whole) cards.push(card(number(whole.mean, 0) + ' ms', 'a frame, on average'));
   cards.push(card(bytes(summary.memory.peak_bytes), 'memory at most'));
   byId('headline').append(...cards);
+  byId('headline-words').append(explanation('What these numbers mean', headlineWords(errors)));
   for (const remark of run.remarks)
     byId('remarks').append(element('p', {class: 'note'}, remark));
 }
@@ -85,24 +91,47 @@ function fillMap() {
   const pictures = Object.entries(run.map_pictures);
   for (const [title, picture] of pictures)
     byId('map-pictures').append(
-      element('figure', {}, pictureButton(picture, 'map ' + title), element('figcaption', {}, title)));
+      element('figure', {}, pictureButton(element('img', {src: picture, alt: 'map ' + title})), element('figcaption', {}, title)));
   const positions = Object.values(run.trajectories).flat().filter(known);
   if (!pictures.length && positions.length) say(byId('map-pictures'),
     'this run has no map_top.png and no map_perspective.png: [render] enabled or write_map_pictures is false, or they could not be drawn');
   if (!Object.values(run.trajectories).some(trajectory => trajectory.filter(known).length > 1)) {
-    for (const id of ['map-title', 'map-hint']) byId(id).remove();
+    for (const id of ['map-title', 'map-hint', 'map-scale']) byId(id).remove();
     return say(byId('map-chart'), positions.length ? 'a single position makes no way to draw' : run.no_map_reason);
   }
-  drawMapOf(positions, mapSeries, {legend: {icon: 'roundRect', selected: {[rejectedPairs]: false}}, tooltip: {trigger: 'item'}})
+  drawMapOf(positions, mapSeries, {legend: {selected: {[rejectedPairs]: false}}, tooltip: {trigger: 'item'}})
     .on('click', item => { if (known(item.data?.query)) pin(item.data.query); });
+  fillMapScale();
+}
+
+/** What the colours of the loop closures say. */
+function fillMapScale() {
+  if (!run.loops.length) return;
+  byId('map-scale').hidden = false;
+  byId('map-fewest').textContent = 'loop closures: 0 inliers';
+  byId('map-most').textContent = number(mostInliers);
+  const paint = () => {
+    const steps = [0, 0.25, 0.5, 0.75, 1].map(part => inlierColour(part * mostInliers));
+    byId('map-scale').querySelector('i').style.background = `linear-gradient(to right, ${steps.join(', ')})`;
+  };
+  paint();
+  isDark.addEventListener('change', paint);
 }
 
 const rejectedPairs = 'rejected pairs';
+const mostInliers = run.loops.reduce((most, loop) => Math.max(most, loop.inliers), 1);
+const isDark = matchMedia('(prefers-color-scheme: dark)');
+
+/** Of viridis what stands out from the page: not yellow on white, nor violet on black. */
+function inlierColour(inliers) {
+  const [least, most] = isDark.matches ? [0.35, 1] : [0, 0.72];
+  return viridisAt(least + (most - least) * inliers / mostInliers);
+}
 
 function loopTooltip(query) {
   const picture = pictureOf(run, query);
-  const image = picture ? `<img alt="" src="${picture}" style="width:min(420px,70vw);display:block">` : '';
-  return `<div class="edge-tooltip">${image}<div>${captionOf(run, query).replace(', support', '<br>support')}</div></div>`;
+  const image = picture ? `<img alt="" src="${picture}" style="width:100%;display:block">` : '';
+  return `<div class="edge-tooltip">${image}<div>${captionOf(run, query)}</div></div>`;
 }
 
 function mapSeries() {
@@ -128,18 +157,15 @@ function edgeSeries(name, queries, styleOf) {
   return [
     {name, type: 'lines', coordinateSystem: 'cartesian2d', z: 3, color, tooltip, emphasis: {lineStyle: {width: 6}},
      data: edges.map(query => ({query, coords: [place(run.frames.candidate[query]), place(query)], lineStyle: styleOf(query)}))},
-    {name, type: 'scatter', symbolSize: 8, z: 4, color, tooltip,
+    {name, type: 'scatter', symbolSize: (isFinger ? 4 : 0) + (edges.length > 100 ? 6 : 8), z: 4, color, tooltip,
      data: edges.map(query => ({query, value: place(query), itemStyle: {color: styleOf(query).color, opacity: styleOf(query).opacity}}))}];
 }
 
 function loopSeries() {
   const loops = new Map(run.loops.map(loop => [loop.query, loop]));
-  const inliersOf = run.loops.map(loop => loop.inliers);
-  const [least, most] = [inliersOf.reduce((a, b) => Math.min(a, b), Infinity), inliersOf.reduce((a, b) => Math.max(a, b), 0)];
-  return edgeSeries('loop closures, brighter with more inliers', [...loops.keys()], query => {
+  return edgeSeries('loop closures', [...loops.keys()], query => {
     const {inliers, weight} = loops.get(query);
-    const part = most > least ? (inliers - least) / (most - least) : 1;
-    return {color: viridisAt(0.12 + 0.81 * part), width: 3, opacity: weight === 0 ? 0.3 : 0.9,
+    return {color: inlierColour(inliers), width: 3, opacity: weight === 0 ? 0.3 : 0.9,
             type: weight === 0 ? 'dotted' : 'solid'};
   });
 }
@@ -148,9 +174,9 @@ function endSeries() {
   const path = bestTrajectory(run).filter(known);
   if (path.length < 2) return [];
   const mark = (place, symbol, name, position) => ({
-    value: place.slice(0, 2), symbol, itemStyle: {color: mapColours[name]},
+    value: place.slice(0, 2), symbol, itemStyle: {color: 'transparent', borderColor: mapColours[name], borderWidth: 2.5},
     label: {show: true, formatter: name, position, color: colour('ink'), textBorderColor: colour('page'), textBorderWidth: 3}});
-  return [{name: 'start and end', type: 'scatter', z: 5, color: mapColours.start, silent: true, symbolSize: 13,
+  return [{name: 'start and end', type: 'scatter', z: 5, color: mapColours.start, silent: true, symbolSize: 12,
            data: [mark(path[0], 'circle', 'start', 'left'), mark(path[path.length - 1], 'rect', 'end', 'right')]}];
 }
 
@@ -183,7 +209,7 @@ function drawOverFrames(id, column, title, threshold, digits) {
       grid: plotGrid, legend: {}, dataZoom: zoom,
       tooltip: {formatter: item => known(item.data.frame) ? captionOf(run, item.data.frame) : ''},
       xAxis: frameAxis(frameCount),
-      yAxis: {type: 'value', name: title, axisLabel: {formatter: value => number(value, digits)},
+      yAxis: {type: 'value', name: title, axisLabel: {formatter: atMost(digits)},
               max: threshold ? extent => extent.max > threshold.value * 1.1 ? null : threshold.value * 1.1 : null},
       series,
     };
@@ -194,11 +220,11 @@ function drawOverFrames(id, column, title, threshold, digits) {
 function drawVerdictCharts() {
   const option = (section, key) => Number((run.summary.options[section] || {})[key]);
   const inliers = option('verification', 'min_inliers');
-  drawOverFrames('inliers-chart', 'inliers', 'inliers', inliers > 0 && {value: inliers, name: 'min_inliers'}, 0);
+  drawOverFrames('inliers-chart', 'inliers', 'inliers', inliers > 0 && {value: inliers, name: `min_inliers = ${inliers}`}, 0);
   drawOverFrames('support-chart', 'support', 'support', {value: 1, name: 'accepted from 1 on'}, 1);
   const similarity = option('index', 'min_similarity');
   drawOverFrames('similarity-chart', 'similarity', 'similarity',
-                 similarity > -1 && {value: similarity, name: 'min_similarity'}, 1);
+                 similarity > -1 && {value: similarity, name: `min_similarity = ${similarity}`}, 1);
   drawReasons();
 }
 
@@ -207,34 +233,75 @@ function drawReasons() {
   for (let frame = 0; frame < frameCount; ++frame)
     counts.set(verdictOf(run, frame), (counts.get(verdictOf(run, frame)) || 0) + 1);
   const sorted = [...counts].sort((a, b) => a[1] - b[1]);
-  byId('reasons-chart').style.height = 60 + 34 * sorted.length + 'px';
+  byId('reasons-chart').style.height = 66 + 34 * sorted.length + 'px';
   draw('reasons-chart', () => ({
-    grid: {left: 24, right: 60, top: 8, bottom: 28, containLabel: true},
+    grid: {left: 16, right: 60, top: 8, bottom: 30, containLabel: true},
     tooltip: {trigger: 'item'},
-    xAxis: {type: 'value', minInterval: 1},
+    xAxis: {type: 'value', name: 'frames', nameLocation: 'middle', nameGap: 26, minInterval: 1},
     yAxis: {type: 'category', data: sorted.map(([name]) => words(name)), axisLabel: {color: colour('ink')}},
     series: [{type: 'bar', name: 'frames', barMaxWidth: 26,
               data: sorted.map(([name, count]) => ({value: count, itemStyle: {
-                color: name === 'accepted' ? '#0072b2' : '#e69f00'}})),
+                color: name === 'accepted' ? colour('accent') : '#e69f00'}})),
               label: {show: true, position: 'right', color: colour('ink')}}],
   })).on('click', item => { byId('filter-verdict').value = sorted[item.dataIndex][0]; showPage(0); });
+  byId('verdict-words').append(explanation('What the verdicts mean', [...sorted].reverse()
+    .map(([name]) => [words(name), verdictMeanings[name] || 'a word of another version of mrpt-fild'])));
 }
 
+/** The words of Rejection in verdict.h, for a reader. */
+const verdictMeanings = {
+  accepted: 'a loop closure: the frame shows the place that its candidate shows',
+  missing_image: 'the image file is not there, or is no image; the frame is passed over',
+  image_size_changed: 'not the size of this camera\'s first image; the frame is passed over',
+  repeated_timestamp: 'it has the time stamp of this camera\'s frame before; the frame is passed over',
+  unsupported_image: 'neither 8 bit grey nor 8 bit colour; the frame is passed over',
+  too_early: 'no frame is old enough to be returned to: [index] delay_seconds',
+  no_candidate: 'the search among earlier frames had no answer',
+  below_similarity: 'no earlier frame is similar enough: [index] min_similarity',
+  too_few_matches: 'fewer keypoints match than inliers are asked for',
+  no_model: 'no motion of the camera explains the matches',
+  too_few_inliers: 'too few matches agree with one motion of the camera, or they weigh too little: [verification]',
+  not_consistent_yet: 'it was verified, but not so many frames in a row as [consistency] consecutive_frames asks for',
+};
+
 const ofCandidate = (column, digits) => frame => known(run.frames.candidate[frame]) ? number(run.frames[column][frame], digits) : '';
+// What matters most first: on a phone the others are reached by scrolling.
 const columns = [
   ['frame', frame => String(frame)],
   ['time, s', frame => number(secondsOf(frame), 2)],
-  ['camera', frame => run.frames.sensors[run.frames.sensor[frame]], 'text'],
-  ['keypoints', frame => number(run.frames.keypoints[frame])],
-  ['candidate', frame => String(run.frames.candidate[frame] ?? '')],
+  ['verdict', frame => words(verdictOf(run, frame)), 'text'],
+  ['candidate', candidateCell],
   ['similarity', ofCandidate('similarity', 3)],
   ['matches', ofCandidate('matches', 0)],
   ['inliers', ofCandidate('inliers', 0)],
   ['support', ofCandidate('support', 2)],
-  ['verdict', frame => words(verdictOf(run, frame)), 'text'],
+  ['keypoints', frame => number(run.frames.keypoints[frame])],
+  ['camera', frame => run.frames.sensors[run.frames.sensor[frame]], 'text'],
+];
+const columnMeanings = [
+  ['candidate', 'the earlier frame that came furthest; a button shows the picture of the pair'],
+  ['similarity', 'of both images as a whole: cosine of their global descriptors, -1 to 1'],
+  ['matches', 'keypoints of one image that were found in the other'],
+  ['inliers', 'matches that agree with one motion of the camera'],
+  ['support', 'what speaks for the pair, as a multiple of what [verification] asks for'],
+  ['keypoints', 'distinctive points found in the image'],
 ];
 const rowsPerPage = 25;
 let page = 0;
+
+/** The number of the candidate; where the pair has a picture, a button that shows it below the row. */
+function candidateCell(frame) {
+  const candidate = run.frames.candidate[frame];
+  if (!known(candidate) || !pictureOf(run, frame)) return String(candidate ?? '');
+  return element('button', {type: 'button', 'aria-expanded': 'false', 'aria-label':
+    `${candidate}: picture of frame ${frame} and frame ${candidate}`, onclick: ({currentTarget}) => {
+    const row = currentTarget.closest('tr');
+    const isOpen = currentTarget.getAttribute('aria-expanded') === 'true';
+    currentTarget.setAttribute('aria-expanded', String(!isOpen));
+    if (isOpen) return row.nextElementSibling.remove();
+    row.after(element('tr', {class: 'picture'}, element('td', {class: 'wide', colspan: columns.length}, figureOf(run, frame))));
+  }}, String(candidate));
+}
 
 /** The frames that the filter lets through; none when a number is not one. */
 function filteredFrames() {
@@ -257,7 +324,7 @@ function showPage(wanted) {
   page = Math.min(Math.max(0, wanted), pages - 1);
   const head = element('tr', {}, ...columns.map(([name, , kind]) => element('th', {class: kind || ''}, name)));
   const rows = frames.slice(page * rowsPerPage, (page + 1) * rowsPerPage).map(frame =>
-    element('tr', {}, ...columns.map(([, value, kind]) => element('td', {class: kind || ''}, value(frame)))));
+    element('tr', {'data-frame': frame}, ...columns.map(([, value, kind]) => element('td', {class: kind || ''}, value(frame)))));
   byId('frames').replaceChildren(element('thead', {}, head), element('tbody', {}, ...rows));
   byId('filter-count').textContent = `${number(frames.length)} of ${counting(frameCount, 'frame')}`;
   const turn = (name, to) => {
@@ -273,7 +340,8 @@ function showFrame(frame) {
   byId('filter-verdict').value = '';
   byId('filter-frame').value = String(frame);
   showPage(0);
-  byId('filter').scrollIntoView({block: 'nearest'});
+  byId('frames').querySelector(`tr[data-frame="${frame}"] button`)?.click();
+  byId('filter').scrollIntoView({block: 'start'});
 }
 
 function fillTable() {
@@ -282,6 +350,7 @@ function fillTable() {
                                 ...verdicts.map(name => element('option', {value: name}, words(name))));
   byId('filter').addEventListener('input', () => showPage(0));
   byId('filter').addEventListener('submit', event => event.preventDefault());
+  byId('column-words').append(explanation('What the columns mean', columnMeanings));
   showPage(0);
 }
 
@@ -329,6 +398,9 @@ function paintSimilarities(matrix) {
   return brightest;
 }
 
+// Above the diagonal, where the matrix has nothing: on it they would hide what they are to be compared with.
+const mirroredLoops = 'accepted loop closures (mirrored)';
+
 async function drawMatrix() {
   if (!run.similarity || frameCount < 2)
     return say(byId('matrix-chart'), frameCount < 2 ? 'a single frame is like no other'
@@ -341,7 +413,7 @@ async function drawMatrix() {
   byId('matrix-brightest').textContent = `${number(brightest, 2)} or more`;
   const chart = draw('matrix-chart', () => ({
     grid: matrixGrid,
-    legend: {data: ['accepted loop closures']},
+    legend: {data: [mirroredLoops]},
     tooltip: {formatter: item => known(item.data.query) ? captionOf(run, item.data.query) : ''},
     xAxis: {...frameAxis(frameCount), name: 'earlier frame', max: frameCount},
     yAxis: {...frameAxis(frameCount), name: 'frame', nameGap: 44, max: frameCount, inverse: true},
@@ -352,9 +424,8 @@ async function drawMatrix() {
          const [x1, y1] = api.coord([covered, covered]);
          return {type: 'image', style: {image: matrix.canvas, x: x0, y: y0, width: x1 - x0, height: y1 - y0}};
        }, clip: true},
-      {type: 'scatter', name: 'accepted loop closures', symbol: 'circle', symbolSize: run.loops.length > 100 ? 4 : 7, z: 3,
-       itemStyle: {color: 'transparent', borderColor: '#ff7f2a', borderWidth: 1},
-       data: run.loops.map(loop => ({value: [loop.candidate, loop.query], query: loop.query}))},
+      {type: 'scatter', name: mirroredLoops, symbolSize: run.loops.length > 100 ? 4 : 7, z: 3, itemStyle: {color: colour('accent')},
+       data: run.loops.map(loop => ({value: [loop.query, loop.candidate], query: loop.query}))},
     ],
   }));
   chart.on('click', item => { if (known(item.data?.query)) showFrame(item.data.query); });
@@ -371,21 +442,23 @@ async function drawMatrix() {
 
 function fillTime() {
   const times = run.summary.stage_times_ms || {};
-  if (!Object.keys(times).length) {
-    for (const id of ['stages-chart', 'stages', 'costs-chart', 'memory-chart']) say(byId(id), 'no times were taken');
-    return;
-  }
   if (times.whole_frame)
     byId('stages-hint').textContent = `A frame takes ${number(times.whole_frame.mean, 0)} ms on average; stages that run side `
       + 'by side count in full, so that their sum can be more.';
   drawStages('stages-chart', [['', run.summary]]);
+  if (Object.keys(times).length) fillStages(times);
+  drawCosts();
+}
+
+/** Stages of a frame, their sum, and what is done once. */
+function fillStages(times) {
   const stages = [...frameStages, 'whole_frame'].filter(name => times[name]);
   byId('stages').append(...tableOf(
-    ['stage', 'calls', 'mean, ms', 'median, ms', '95 % below, ms', 'longest, ms', 'together, s'],
+    ['stage', 'calls', 'mean of a call, ms', 'median, ms', '95 % are below, ms', 'longest, ms', 'in all, s'],
     [...stages, ...Object.keys(times).filter(name => !stages.includes(name))].map(name => [
       words(name), number(times[name].calls), ...['mean', 'median', 'p95', 'max'].map(key => number(times[name][key], 2)),
       number(times[name].total / 1000, 1)])));
-  drawCosts();
+  byId('stages').querySelectorAll('tbody tr')[stages.indexOf('whole_frame')]?.classList.add('sum');
 }
 
 function drawCosts() {
@@ -405,6 +478,7 @@ function drawCosts() {
     xAxis: frameAxis(frameCount), yAxis: {type: 'value', name: unit},
     series: series().map(one => ({type: 'line', showSymbol: false, ...one})),
   }));
+  byId('costs-chart').style.height = 260 + legendHeight(byId('costs-chart').clientWidth, stages.map(words)) + 'px';
   chart('costs-chart', 'ms', 2, () => stages.map(name => ({
     name: words(name), stack: 'all', areaStyle: {opacity: 0.85}, lineStyle: {width: 0}, color: stageColour(name),
     data: points(costs.ms[name], 1)})));
@@ -415,11 +489,13 @@ function drawCosts() {
 
 // ---- Pose graph -------------------------------------------------------------------------------
 
-/** `{a: 3, b: 1}` as "3 a, 1 b". */
-const counted = counts => Object.entries(counts || {}).map(([word, count]) => `${number(count)} ${words(word)}`).join(', ') || 'none';
+/** `{a: 3, b: 1, c: 0}` as "3 a, 1 b". */
+const counted = counts => Object.entries(counts || {}).filter(([, count]) => count)
+  .map(([word, count]) => `${number(count)} ${words(word)}`).join(', ') || 'none';
 
 function graphFacts(map) {
   const parts = map.parts || [];
+  const {none, ...sources} = map.depth_sources || {};
   return [
     ['trajectory before', map.trajectory_source ? `${map.trajectory}: ${map.trajectory_source}` : map.trajectory],
     ['keyframes', number(map.nodes)],
@@ -427,14 +503,14 @@ function graphFacts(map) {
     ['loop edges', number(map.loop_edges)],
     ['loop edges without weight: the optimiser does not believe them', counted(map.loops_without_weight)],
     ['loop closures without an edge', counted(map.loops_withheld)],
-    ['chi2 (sum of squared errors of the edges, in standard deviations)',
+    ['chi\u00b2: sum of the squared errors of the edges, in standard deviations',
      `${large(map.chi2_before)} before, ${large(map.chi2_after)} after`],
     ['parts that nothing connects', parts.length > 1 ? `${parts.length}, of ${parts.map(p => number(p)).join(', ')} keyframes` : 'none: it is whole'],
     ['optimisations', number(map.optimizations)],
     ['frames without a pose', number(map.frames_without_pose)],
-    ['odometry: resets, gaps, clock jumps, unusable readings',
-     [map.resets, map.gaps, map.clock_jumps, map.unusable_readings].map(count => number(count)).join(', ')],
-    ['frames by where depths come from', counted(map.depth_sources)],
+    ['faults of the odometry', counted({resets: map.resets, gaps: map.gaps, clock_jumps: map.clock_jumps,
+                                        unusable_readings: map.unusable_readings})],
+    ['frames by where their depths come from', counted({...sources, without_depth: none})],
     ['frames whose depths are of no use', counted(map.depth_defects)],
   ];
 }
@@ -444,7 +520,7 @@ function fillGraph() {
   for (const note of (map.notes || []).filter(text => text !== run.no_map_reason)) byId('graph-notes').append(element('p', {class: 'note'}, note));
   if (!map.nodes) {
     byId('edges').remove();
-    return say(byId('graph-content'), run.no_map_reason);
+    return say(byId('graph-content'), bestTrajectory(run).some(known) ? 'this run made no pose graph' : run.no_map_reason);
   }
   byId('graph-content').append(factsTable(graphFacts(map)));
   drawEdges();

@@ -26,6 +26,12 @@ void require_same_frames(const RunFolder& first, const RunFolder& second)
                                      std::to_string(i) + " has another time");
 }
 
+/** Both runs may have a picture of a frame. */
+std::size_t pictures_of_a_run(const TReportOptions& options)
+{
+    return static_cast<std::size_t>(options.max_pictures) / 2;
+}
+
 bool has_loop(const RunFolder& run, std::size_t frame)
 {
     return frame < run.frames.size() && run.frames[frame].accepted();
@@ -48,14 +54,14 @@ std::vector<std::size_t> differing_frames(const RunFolder& first,
 Json side_json(const RunFolder& run,
                const std::optional<ReportTruth>& truth,
                const std::vector<std::size_t>& shown,
-               int picture_width_px)
+               const TReportOptions& options)
 {
     std::vector<const FrameVerdict*> frames;
     for (const auto i : shown)
         if (i < run.frames.size()) frames.push_back(&run.frames[i]);
     auto json = run_json(run, truth);
     json["folder"] = run.path;
-    json["pictures"] = pictures_json(run.path, frames, picture_width_px);
+    add_pictures(json, run.path, frames, pictures_of_a_run(options), options.picture_width_px);
     return json;
 }
 }  // namespace
@@ -67,11 +73,10 @@ Json comparison_json(const ComparedRun& first,
     const auto a = read_run_folder(first.folder);
     const auto b = read_run_folder(second.folder);
     require_same_frames(a, b);
-    // Both runs may have a picture of a frame.
-    const auto shown = differing_frames(a, b, static_cast<std::size_t>(options.max_pictures) / 2);
-    return {{"runs",
-             {side_json(a, first.truth, shown, options.picture_width_px),
-              side_json(b, second.truth, shown, options.picture_width_px)}}};
+    const auto shown = differing_frames(a, b, pictures_of_a_run(options));
+    return {
+        {"runs",
+         {side_json(a, first.truth, shown, options), side_json(b, second.truth, shown, options)}}};
 }
 
 }  // namespace fild

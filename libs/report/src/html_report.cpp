@@ -100,8 +100,11 @@ void write_html_report(const std::string& folder,
 {
     const auto run = read_run_folder(folder);
     auto json = run_json(run, truth);
-    json["pictures"] = pictures_json(
-        folder, frames_to_show(folder, run.frames, options), options.picture_width_px);
+    add_pictures(json,
+                 folder,
+                 frames_to_show(folder, run.frames, options),
+                 static_cast<std::size_t>(options.max_pictures),
+                 options.picture_width_px);
     json["map_pictures"] = map_pictures_json(folder);
     const auto similarity = folder + "/similarity.png";
     if (std::filesystem::exists(similarity)) json["similarity"] = data_url_of_png(similarity);

@@ -16,24 +16,46 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-/** QUERY_CANDIDATE_3d.jpg beside QUERY_CANDIDATE.jpg. */
-std::filesystem::path variant_3d(const std::filesystem::path& picture)
+/** QUERY_CANDIDATE_3d.jpg beside the match picture, relative to the folder; empty when there is
+ * none. */
+std::string match_picture_3d_of(const std::string& folder, const FrameVerdict& frame)
 {
-    return picture.parent_path() / (picture.stem().string() + "_3d.jpg");
+    std::filesystem::path picture = match_picture_of(folder, frame);
+    if (picture.empty()) return "";
+    picture.replace_filename(picture.stem().string() + "_3d.jpg");
+    std::error_code unreadable_is_absent;
+    const bool is_there =
+        std::filesystem::exists(std::filesystem::path(folder) / picture, unreadable_is_absent);
+    return is_there ? picture.string() : "";
 }
 
-bool has_pictures_3d(const std::string& folder)
+std::string pair_key(const FrameVerdict& frame)
 {
-    const std::filesystem::path matches = std::filesystem::path(folder) / "matches";
-    if (!std::filesystem::exists(matches)) return false;
-    const std::filesystem::directory_iterator entries(matches);
-    return std::any_of(begin(entries),
-                       end(entries),
-                       [](const auto& entry)
-                       {
-                           const auto stem = entry.path().stem().string();
-                           return stem.size() > 3 && stem.compare(stem.size() - 3, 3, "_3d") == 0;
-                       });
+    return std::to_string(to_index(frame.frame)) + "_" +
+           std::to_string(to_index(frame.candidate->frame));
+}
+
+/** The pictures of the pairs as URLs that hold them, by pair.
+ *  \param picture_of  path of a pair's picture, relative to the folder. */
+Json urls_of(const std::string& folder,
+             const std::vector<const FrameVerdict*>& pairs,
+             std::string (*picture_of)(const std::string&, const FrameVerdict&),
+             int max_width_px)
+{
+    std::vector<std::string> urls(pairs.size());
+    constexpr int kAllCores = 0;
+    parallel_for(kAllCores,
+                 pairs.size(),
+                 [&](std::size_t i)
+                 {
+                     const auto path =
+                         std::filesystem::path(folder) / picture_of(folder, *pairs[i]);
+                     urls[i] = data_url_of_picture(path.string(), max_width_px);
+                 });
+    Json by_pair = Json::object();
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        by_pair[pair_key(*pairs[i])] = std::move(urls[i]);
+    return by_pair;
 }
 }  // namespace
 
@@ -52,8 +74,7 @@ std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
     std::stable_sort(chosen.begin(),
                      chosen.end(),
                      [](const auto* a, const auto* b) { return a->support > b->support; });
-    const auto limit =
-        static_cast<std::size_t>(options.max_pictures) / (has_pictures_3d(folder) ? 2 : 1);
+    const auto limit = static_cast<std::size_t>(options.max_pictures);
     // Rejected pairs may have at most half of the room.
     chosen.resize(
         std::min(chosen.size(), std::max(limit / 2, limit - std::min(limit, accepted.size()))));
@@ -62,29 +83,25 @@ std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
     return chosen;
 }
 
-Json pictures_json(const std::string& folder,
-                   const std::vector<const FrameVerdict*>& frames,
-                   int max_width_px)
+void add_pictures(Json& page,
+                  const std::string& folder,
+                  const std::vector<const FrameVerdict*>& frames,
+                  std::size_t limit,
+                  int max_width_px)
 {
-    std::vector<std::filesystem::path> paths;
+    std::vector<const FrameVerdict*> with_picture;
+    std::vector<const FrameVerdict*> with_3d;
     for (const auto* frame : frames)
-        if (const auto picture = frame->candidate ? match_picture_of(folder, *frame) : "";
-            !picture.empty())
-        {
-            paths.push_back(std::filesystem::path(folder) / picture);
-            if (const auto path_3d = variant_3d(paths.back()); std::filesystem::exists(path_3d))
-                paths.push_back(path_3d);
-        }
-    std::vector<std::string> urls(paths.size());
-    constexpr int kAllCores = 0;
-    parallel_for(kAllCores,
-                 paths.size(),
-                 [&](std::size_t i)
-                 { urls[i] = data_url_of_picture(paths[i].string(), max_width_px); });
-    Json pictures = Json::object();
-    for (std::size_t i = 0; i < paths.size(); ++i)
-        pictures[paths[i].stem().string()] = std::move(urls[i]);
-    return pictures;
+    {
+        if (!frame->candidate || match_picture_of(folder, *frame).empty()) continue;
+        with_picture.push_back(frame);
+        if (!match_picture_3d_of(folder, *frame).empty()) with_3d.push_back(frame);
+    }
+    page["pictures"] = urls_of(folder, with_picture, match_picture_of, max_width_px);
+    const auto room = limit - std::min(limit, with_picture.size());
+    std::vector<const FrameVerdict*> chosen_3d;
+    for (const auto i : spread_indices(room, with_3d.size())) chosen_3d.push_back(with_3d[i]);
+    page["pictures_3d"] = urls_of(folder, chosen_3d, match_picture_3d_of, max_width_px);
 }
 
 Json map_pictures_json(const std::string& folder)

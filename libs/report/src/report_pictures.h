@@ -19,12 +19,15 @@ std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
                                                 const std::vector<FrameVerdict>& frames,
                                                 const TReportOptions& options);
 
-/** The match pictures of these frames, `QUERY_CANDIDATE` (and `QUERY_CANDIDATE_3d`) to an URL that
- *  holds the picture; frames without one are left out. \throw std::runtime_error naming a picture
- *  that cannot be read. */
-nlohmann::ordered_json pictures_json(const std::string& folder,
-                                     const std::vector<const FrameVerdict*>& frames,
-                                     int max_width_px);
+/** Puts `pictures` into the page: of these frames those with a match picture, `QUERY_CANDIDATE` to
+ * an URL that holds it. And `pictures_3d`: of pairs that have one, evenly over `frames`, so that
+ * there are at most `limit` pictures in all. \throw std::runtime_error naming a picture that cannot
+ * be read. */
+void add_pictures(nlohmann::ordered_json& page,
+                  const std::string& folder,
+                  const std::vector<const FrameVerdict*>& frames,
+                  std::size_t limit,
+                  int max_width_px);
 
 /** The pictures of the map that are there, by what they show. */
 nlohmann::ordered_json map_pictures_json(const std::string& folder);

@@ -139,25 +139,27 @@ def photograph(random, width, height):
     return np.clip(128 + picture, 0, 255).astype(np.uint8)
 
 
-def write_pictures(drive, folder, in_3d, accepted=100, rejected=20):
+def write_pictures(drive, folder, accepted=100, rejected=20):
+    """Every second pair has a picture in 3D too."""
     os.makedirs(os.path.join(folder, "matches"))
     chosen = [frames[::max(1, len(frames) // count)][:count] for frames, count in
               ((drive.accepted(), accepted), (drive.rejected(), rejected)) if frames]
-    for frame in (frame for frames in chosen for frame in frames):
-        for variant in ("", "_3d") if in_3d else ("",):
-            name = f"{frame}_{drive.candidate(frame)}{variant}.jpg"
-            cv2.imwrite(os.path.join(folder, "matches", name), photograph(drive.random, 1280, 430))
+    for i, frame in enumerate(frame for frames in chosen for frame in frames):
+        name = os.path.join(folder, "matches", f"{frame}_{drive.candidate(frame)}")
+        cv2.imwrite(name + ".jpg", photograph(drive.random, 1280, 430))
+        if i % 2 == 0:
+            cv2.imwrite(name + "_3d.jpg", photograph(drive.random, 1000, 625))
     if drive.trajectory:
         for name in ("map_top.png", "map_perspective.png"):
             cv2.imwrite(os.path.join(folder, name), photograph(drive.random, 1600, 1000))
 
 
-def write_run(drive, folder, options=None, in_3d=False):
-    """Everything; `options` are sections beside the usual ones. With `in_3d`, pictures of pairs in 3D as well."""
+def write_run(drive, folder, options=None):
+    """Everything; `options` are sections beside the usual ones."""
     os.makedirs(folder)
     write_tables(drive, folder)
     write_similarities(drive, folder)
-    write_pictures(drive, folder, in_3d)
+    write_pictures(drive, folder)
     if drive.trajectory:
         write_trajectory(drive, folder, "trajectory_input.tum", 4)
         write_trajectory(drive, folder, "trajectory_optimized.tum", 0.1)

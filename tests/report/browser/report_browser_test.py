@@ -70,7 +70,7 @@ class Report(PageTest):
     def setUpClass(cls):
         super().setUpClass()
         folder = os.path.join(cls.scratch.name, "run")
-        write_run(Drive(200), folder, in_3d=True)
+        write_run(Drive(200), folder)
         cls.page = make_report(folder, "--ground-truth", os.path.join(folder, "truth.tum"), "--protocol", "radius:5")
 
     def test_fits_every_screen(self):
@@ -107,28 +107,32 @@ class Report(PageTest):
         frame = self.point_at_a_loop()
         self.browser.wait_for("const image = document.querySelector('.edge-tooltip img');"
                               "return image && image.complete && image.naturalWidth > 0 && image.offsetWidth > 0")
-        self.assertIn(f"frame {frame} at frame", self.browser.element(".edge-tooltip").text)
+        self.assertIn(f"frame {frame} and frame", self.browser.element(".edge-tooltip").text)
         self.browser.click()
         self.browser.wait_for("return document.querySelector('#pinned figure img')?.naturalWidth > 0")
-        self.browser.press("#pinned .close")
+        self.browser.press("#pinned figcaption button")
         self.assertEqual(self.browser.count("#pinned figure"), 0)
         self.expect_quiet()
+
+    def test_a_pair_can_be_seen_in_3d(self):
+        self.browser.open(self.page)
+        shown = "const image = document.querySelector('#gallery .views img'); return [image.src, image.alt]"
+        flat = self.browser.run(shown)
+        self.browser.press("#gallery .views .turn")
+        standing = self.browser.run(shown)
+        self.assertNotEqual(flat[0], standing[0])
+        self.assertIn("in 3D", standing[1])
+        self.browser.wait_for("const image = document.querySelector('#gallery .views img');"
+                              "image.scrollIntoView(); return image.naturalWidth > 0")
+        self.browser.press("#gallery .views .turn")
+        self.assertEqual(self.browser.run(shown), flat)
 
     def test_pictures_open_in_full_size(self):
         self.browser.open(self.page)
         self.browser.press("#gallery .picture")
         self.browser.wait_for("return document.querySelector('dialog[open] img')?.naturalWidth > 0")
         self.browser.press("dialog")
-        self.assertEqual(self.browser.count("dialog"), 0)
-
-    def test_pictures_turn_to_3d(self):
-        self.browser.open(self.page)
-        source = "return document.querySelector('#gallery figure img').src"
-        flat = self.browser.run(source)
-        self.browser.press("#gallery .turn")
-        self.assertNotEqual(self.browser.run(source), flat)
-        self.browser.press("#gallery .turn")
-        self.assertEqual(self.browser.run(source), flat)
+        self.browser.wait_for("return !document.querySelector('dialog')")
 
     def test_the_map_zooms(self):
         self.browser.open(self.page)
@@ -150,6 +154,45 @@ class Report(PageTest):
         self.browser.element("#filter-frame").clear()
         self.browser.element("#filter-frame").send_keys("no number")
         self.assertEqual(self.browser.run(rows), 0)
+
+    def test_a_row_shows_its_picture_without_a_mouse(self):
+        self.browser.open(self.page)
+        frame = self.browser.run("return run.loops.map(loop => loop.query).find(query => pictureOf(run, query))")
+        self.browser.element("#filter-frame").send_keys(f"{frame}-{frame}")
+        button = self.browser.element("#frames tbody button")
+        button.send_keys("\n")
+        self.assertEqual(button.get_attribute("aria-expanded"), "true")
+        self.browser.wait_for("return document.querySelector('#frames figure img').naturalWidth > 0")
+        button.send_keys("\n")
+        self.assertEqual(self.browser.count("#frames figure"), 0)
+
+    def test_a_point_of_a_chart_shows_its_frame(self):
+        self.browser.open(self.page)
+        frame, x, y = self.browser.run("""
+            const frame = run.loops.map(loop => loop.query).find(query => pictureOf(run, query));
+            const chart = echarts.getInstanceByDom(byId('inliers-chart'));
+            return [frame, ...chart.convertToPixel('grid', [frame, run.frames.inliers[frame]])]""")
+        self.browser.point_at("#inliers-chart", x, y)
+        self.browser.click()
+        self.browser.wait_for("return document.querySelector('#frames figure img')?.naturalWidth > 0")
+        self.assertIn(f"frame {frame} and frame", self.browser.element("#frames figcaption").text)
+
+    def test_a_tooltip_fits_a_phone(self):
+        self.browser.open(self.page, PHONE)
+        self.point_at_a_loop()
+        self.browser.wait_for("return document.querySelector('.edge-tooltip img')?.offsetWidth > 0")
+        left, right = self.browser.run("""
+            const box = document.querySelector('.edge-tooltip').parentElement.getBoundingClientRect();
+            return [box.left, box.right]""")
+        self.assertGreaterEqual(left, 0)
+        self.assertLessEqual(right, PHONE)
+
+    def test_explains_its_words(self):
+        self.browser.open(self.page)
+        self.browser.run("document.querySelectorAll('details').forEach(one => one.open = true)")
+        self.assertIn("root mean square distance", self.browser.element("#headline-words").text)
+        self.assertIn("no frame is old enough", self.browser.element("#verdict-words").text)
+        self.assertNotIn("another version", self.browser.element("#verdict-words").text)
 
     def test_a_bar_filters_the_table(self):
         self.browser.open(self.page)
