@@ -37,6 +37,7 @@ std::vector<std::pair<FrameId, FrameId>> rejected_pairs(const std::vector<FrameV
                      [](const auto* a, const auto* b) { return a->support > b->support; });
     rejected.resize(std::min(count, rejected.size()));
     std::vector<std::pair<FrameId, FrameId>> pairs;
+    pairs.reserve(rejected.size());
     for (const auto* verdict : rejected)
         pairs.emplace_back(verdict->frame, verdict->candidate->frame);
     return pairs;
