@@ -118,11 +118,14 @@ void draw_strip(cv::Mat& picture,
                 const std::vector<std::string>& lines,
                 double letter_height)
 {
+    constexpr double kSeenThrough = 0.25;  // of lines that cross the strip
+    cv::Mat band = picture(strip);
+    band.convertTo(band, -1, kSeenThrough, 255 * (1 - kSeenThrough));
     double y = strip.y + 0.85 * letter_height;
     for (const auto& line : lines)
     {
         const cv::Scalar ink(50, 45, 40);
-        draw_text(picture, line, {strip.x + letter_height, y}, {letter_height, ink, {0, 0}, true});
+        draw_text(picture, line, {strip.x + letter_height, y}, {letter_height, ink, {0, 0}});
         y += 1.8 * letter_height;
     }
 }

@@ -29,7 +29,7 @@ std::vector<std::string> wrapped(const std::vector<std::string>& parts,
 /** Height of a strip with such lines, pixels. */
 int strip_height(std::size_t lines, double letter_height);
 
-/** Writes lines into a strip, readable over what is drawn there. */
+/** Writes lines into a strip, over what is drawn there, which fades. */
 void draw_strip(cv::Mat& picture,
                 const cv::Rect& strip,
                 const std::vector<std::string>& lines,
