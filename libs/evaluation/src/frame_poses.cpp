@@ -96,7 +96,7 @@ std::vector<PosedFrame> read_kitti_poses(const std::string& path,
     if (rows.size() != frames.size())
         throw std::runtime_error(path + " has poses of " + std::to_string(rows.size()) +
                                  " frames, the run has " + std::to_string(frames.size()) +
-                                 "; is it the truth of this recording?");
+                                 "; is it of this recording, and whole?");
     std::vector<PosedFrame> posed;
     posed.reserve(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)

@@ -241,6 +241,7 @@ class ReportOfAnUnusualRun(PageTest):
     def test_without_loops(self):
         self.report_of("no_loops", Drive(60, loops=False))
         self.assertIn("no loop closure", self.reason("gallery"))
+        self.assertIn("Click a point", self.browser.element("#verdicts").text)
         self.assertIn("no loop closure", self.reason("edges-chart"))
         self.assertEqual(self.browser.count("#map-chart .empty"), 0)
 
@@ -248,6 +249,7 @@ class ReportOfAnUnusualRun(PageTest):
         self.report_of("single_frame", Drive(1))
         self.assertIn("single position", self.reason("map-chart"))
         self.assertIn("no frame had a candidate", self.reason("inliers-chart"))
+        self.assertNotIn("Click a point", self.browser.element("#verdicts").text)
         self.assertIn("single frame", self.reason("matrix-chart"))
 
     def test_of_five_thousand_frames(self):
