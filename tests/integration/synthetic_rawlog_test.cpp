@@ -60,6 +60,7 @@ std::vector<TruePose> read_poses(const std::string& path)
     return poses;
 }
 
+/** The loops of a list, without its doubtful pairs. */
 std::set<std::pair<std::size_t, std::size_t>> read_loops(const std::string& path)
 {
     std::set<std::pair<std::size_t, std::size_t>> loops;
@@ -68,7 +69,9 @@ std::set<std::pair<std::size_t, std::size_t>> read_loops(const std::string& path
     {
         std::size_t query = 0;
         std::size_t candidate = 0;
-        if (line[0] != '#' && std::istringstream(line) >> query >> candidate)
+        std::string doubtful;
+        std::istringstream words(line);
+        if (line[0] != '#' && words >> query >> candidate && !(words >> doubtful))
             loops.emplace(query, candidate);
     }
     return loops;

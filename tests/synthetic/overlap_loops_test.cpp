@@ -57,10 +57,17 @@ TTruthOptions lenient()
     return options;
 }
 
-/** The loops of frames 30 s apart. */
-std::vector<LoopPair> loops(const TTruthOptions& options,
-                            const std::vector<Panel>& panels,
-                            const std::vector<TPose3D>& poses)
+/** What the truth says of some frames. */
+struct Verdicts
+{
+    std::vector<LoopPair> loops;
+    std::vector<LoopPair> doubtful;
+};
+
+/** The verdicts on frames 30 s apart. */
+Verdicts verdicts(const TTruthOptions& options,
+                  const std::vector<Panel>& panels,
+                  const std::vector<TPose3D>& poses)
 {
     OverlapLoops truth(options, camera());
     double seconds = 0;
@@ -69,7 +76,26 @@ std::vector<LoopPair> loops(const TTruthOptions& options,
         truth.add(seconds, pose, draw_panels(panels, camera(), CPose3D(pose)).depth);
         seconds += 30;
     }
-    return truth.pairs();
+    return {truth.pairs(), truth.doubtful_pairs()};
+}
+
+std::vector<LoopPair> loops(const TTruthOptions& options,
+                            const std::vector<Panel>& panels,
+                            const std::vector<TPose3D>& poses)
+{
+    return verdicts(options, panels, poses).loops;
+}
+
+/** "right", "doubtful" or "wrong": the default truth about two frames. */
+std::string verdict(const std::vector<Panel>& panels,
+                    const TPose3D& first,
+                    const TPose3D& second,
+                    const TTruthOptions& options = {})
+{
+    const auto found = verdicts(options, panels, {first, second});
+    EXPECT_LE(found.loops.size() + found.doubtful.size(), 1U);
+    if (!found.loops.empty()) return "right";
+    return found.doubtful.empty() ? "wrong" : "doubtful";
 }
 
 /** The overlap of the second frame with the first; 0: no loop. */
@@ -169,6 +195,76 @@ TEST(OverlapLoops, KeepsToItsLimits)
     EXPECT_TRUE(loops(options, {wide}, {at(0, 0), at(10, 0)}).empty());
 }
 
+TEST(OverlapLoops, NearFramesThatAreNoLoopAreDoubtful)
+{
+    // Two rooms that share nothing: a wall stands between the cameras and before both.
+    const std::vector<Panel> rooms{{{12, 5, 5}, {0, 5, 0}, {0, 0, 200}},
+                                   {{3, 15, 5}, {0, 5, 0}, {0, 0, 200}},
+                                   {{0, 10, 5}, {200, 0, 0}, {0, 0, 200}}};
+    EXPECT_EQ(verdict(rooms, at(0, 5), at(0, 14)), "doubtful");
+    EXPECT_EQ(verdict(rooms, at(0, 0), at(0, 14.9)), "doubtful");
+    EXPECT_EQ(verdict(rooms, at(0, 0), at(0, 15.1)), "wrong");
+    const Panel sky_only{{0, 0, -500}, {1, 0, 0}, {0, 1, 0}};
+    EXPECT_EQ(verdict({sky_only}, at(0, 0), at(0, 0, 59)), "doubtful");
+    EXPECT_EQ(verdict({sky_only}, at(0, 0), at(0, 0, 61)), "wrong");
+}
+
+TEST(OverlapLoops, FarFramesThatShowTheSameSurfaceAreDoubtful)
+{
+    const Panel wide = wide_wall(40);
+    EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 20)), "doubtful");
+    EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 39)), "doubtful");
+    EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 41)), "wrong");
+    // 90 degrees wide: turned by 80 degrees, they share the far end of a wall at most.
+    const Panel slanted{{40, 0, 5}, {100, -100, 0}, {0, 0, 200}};
+    EXPECT_EQ(verdict({slanted}, at(0, 0), at(0, 0, 80)), "doubtful");
+    auto options = TTruthOptions();
+    options.doubtful_overlap_angle_deg = 79;
+    EXPECT_EQ(verdict({slanted}, at(0, 0), at(0, 0, 80), options), "wrong");
+    options = TTruthOptions();
+    options.doubtful_overlap_distance_m = 19;
+    EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 20), options), "wrong");
+}
+
+TEST(OverlapLoops, SharedSurfaceCountsInEitherDirection)
+{
+    // From 30 m before the wall its middle 4 m are all that the nearer camera sees: 1/15 x 1/15 of
+    // the farther image, but all of the nearer one.
+    const Panel wall = wide_wall(32);
+    EXPECT_EQ(verdict({wall}, at(0, 0), at(30, 0)), "doubtful");
+    EXPECT_EQ(verdict({wall}, at(30, 0), at(0, 0)), "doubtful");
+    auto options = TTruthOptions();
+    options.doubtful_overlap = 0.01;
+    EXPECT_EQ(verdict({wall, wide_wall(1)}, at(0, 0), at(30, 0), options), "wrong");
+}
+
+TEST(OverlapLoops, LooksNowhereForYoungPairs)
+{
+    TTruthOptions options;
+    options.min_age_seconds = 31;
+    const auto found =
+        verdicts(options, {wide_wall(40)}, {at(0, 0), at(0, 0), at(0, 20), at(0, 12)});
+    ASSERT_EQ(found.loops.size() + found.doubtful.size(), 3U);  // 2-0, 3-0, 3-1
+    for (const auto& pair : found.doubtful)
+        EXPECT_GE(to_index(pair.query) - to_index(pair.candidate), 2U);
+}
+
+TEST(OverlapLoops, TakesImagesOfFewRows)
+{
+    for (const int rows : {2, 3, 6})
+    {
+        auto flat = camera();
+        flat.height = rows;
+        flat.cy = (rows - 1) / 2.0;
+        OverlapLoops truth(TTruthOptions(), flat);
+        const cv::Mat depth(rows, 160, CV_32FC1, cv::Scalar(20));
+        truth.add(0, at(0, 0), depth);
+        truth.add(30, at(0, 37), depth);
+        truth.add(60, at(0, 18), depth);
+        EXPECT_EQ(truth.doubtful_pairs().size(), rows < 3 ? 0U : 3U) << rows;
+    }
+}
+
 TEST(OverlapLoops, FindsAllPairsInOrder)
 {
     const auto pairs = loops(lenient(), {filling_wall()}, {at(0, 0), at(0, 1), at(0, 0), at(0, 2)});
@@ -209,6 +305,8 @@ TEST(WriteLoops, WritesAHeaderAndALineAPair)
     while (std::getline(lines, line) && line[0] == '#') header += line;
     EXPECT_THAT(header, HasSubstr("overlap=0.4"));
     EXPECT_THAT(header, HasSubstr("min_age_seconds=20"));
+    EXPECT_THAT(header, HasSubstr("doubtful_max_distance_m=15"));
+    EXPECT_THAT(header, HasSubstr("without a line"));
     EXPECT_EQ(line, "7 1");
     std::getline(lines, line);
     EXPECT_EQ(line, "8 0");

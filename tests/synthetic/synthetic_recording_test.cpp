@@ -297,15 +297,16 @@ TEST(SyntheticRecording, FindsTheLoopsOfTheSecondLap)
         const bool is_loop = !(words >> doubtful);
         const auto& then = route.at(candidate);
         const auto& now = route.at(query);
+        const double metres = CPose3D(now.map_from_robot).distanceTo(CPose3D(then.map_from_robot));
         EXPECT_GE(now.seconds - then.seconds, request.options.truth.min_age_seconds) << line;
-        EXPECT_LT(CPose3D(now.map_from_robot).distanceTo(CPose3D(then.map_from_robot)), 10) << line;
-        EXPECT_NE(now.stretch, fild::Stretch::opposite) << line;
-        EXPECT_NE(now.stretch, fild::Stretch::once) << line;
+        EXPECT_LT(metres, is_loop ? 10 : 40) << line;
+        EXPECT_FALSE(is_loop && now.stretch == fild::Stretch::opposite) << line;
+        EXPECT_FALSE(is_loop && now.stretch == fild::Stretch::once) << line;
         pairs += is_loop ? 1U : 0U;
         doubtful_pairs += is_loop ? 0U : 1U;
     }
     EXPECT_EQ(pairs, summary.loops);
-    EXPECT_GT(doubtful_pairs, 0U);
+    EXPECT_GT(doubtful_pairs, pairs);
 }
 
 TEST(SyntheticRecording, WritesTheAskedOdometryAndGps)

@@ -18,6 +18,7 @@ namespace
 using mrpt::poses::CPose3D;
 
 constexpr int kGridColumns = 40;  // of the pixels that stand for a frame
+constexpr int kKeptColumns = 80;  // of the depth that is kept of a frame
 constexpr double kDepthTolerance = 0.03;  // share of the depth ...
 constexpr double kDepthToleranceM = 0.1;  // ... plus so many metres
 
@@ -27,7 +28,41 @@ struct SeenFrame
     double seconds = 0;
     CPose3D map_from_camera;
     std::vector<cv::Point3f> points;  ///< of the camera: x right, y down, z forward
+    cv::Mat depth;  ///< every kept_step()-th pixel, as kept_camera() sees them
 };
+
+/** Every how many pixels a depth is kept; at least two rows and columns are. */
+int kept_step(const CameraModel& camera)
+{
+    return std::max(1,
+                    std::min({camera.width / kKeptColumns, camera.width / 2, camera.height / 2}));
+}
+
+/** The camera whose pixels are those that are kept. */
+CameraModel kept_camera(const CameraModel& camera)
+{
+    const int step = kept_step(camera);
+    const int first = step / 2;
+    auto kept = camera;
+    kept.width = (camera.width - first + step - 1) / step;
+    kept.height = (camera.height - first + step - 1) / step;
+    kept.fx /= step;
+    kept.fy /= step;
+    kept.cx = (camera.cx - first) / step;
+    kept.cy = (camera.cy - first) / step;
+    return kept;
+}
+
+cv::Mat kept_depth(const CameraModel& camera, const cv::Mat& depth)
+{
+    const int step = kept_step(camera);
+    const auto size = kept_camera(camera);
+    cv::Mat kept(size.height, size.width, CV_32FC1);
+    for (int v = 0; v < kept.rows; ++v)
+        for (int u = 0; u < kept.cols; ++u)
+            kept.at<float>(v, u) = depth.at<float>(step / 2 + v * step, step / 2 + u * step);
+    return kept;
+}
 
 std::vector<cv::Point3f> grid_points(const CameraModel& camera, const cv::Mat& depth)
 {
@@ -82,47 +117,86 @@ cv::Point3d axis_of(const CPose3D& map_from_camera)
     const auto ahead = map_from_camera.rotateVector({0, 0, 1});
     return {ahead.x, ahead.y, ahead.z};
 }
+
+/** Share of the pixels of `shown` that `seer` sees. \param camera, depth  of `seer`. */
+double overlap_of(const CameraModel& camera,
+                  const SeenFrame& seer,
+                  const cv::Mat& depth,
+                  const SeenFrame& shown)
+{
+    if (shown.points.empty()) return 0;
+    const auto seer_from_shown = shown.map_from_camera - seer.map_from_camera;
+    const auto seen = std::count_if(
+        shown.points.begin(),
+        shown.points.end(),
+        [&](const cv::Point3f& p)
+        {
+            const auto point = seer_from_shown.composePoint(mrpt::math::TPoint3D(
+                static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)));
+            return sees(camera, depth, {point.x, point.y, point.z});
+        });
+    return static_cast<double>(seen) / static_cast<double>(shown.points.size());
+}
 }  // namespace
 
 struct OverlapLoops::State
 {
-    bool is_near(const SeenFrame& query, const SeenFrame& candidate) const;
-    double overlap(const SeenFrame& query,
-                   const cv::Mat& query_depth,
-                   const SeenFrame& candidate) const;
+    /** A query and an earlier frame, as far as their poses say. */
+    struct Geometry
+    {
+        double metres = 0;  ///< between the cameras
+        double cos_angle = 0;  ///< of the angle between the optical axes
+
+        bool within(double max_metres, double max_deg) const
+        {
+            return metres <= max_metres && cos_angle >= std::cos(max_deg * kRadiansPerDegree);
+        }
+    };
+    static Geometry geometry(const SeenFrame& query, const SeenFrame& candidate);
+    void compare(const LoopPair& ids, const SeenFrame& query, const cv::Mat& query_depth);
 
     TTruthOptions options;
     CameraModel camera;
+    CameraModel coarse_camera;  ///< of SeenFrame::depth
     std::vector<SeenFrame> frames;
     std::vector<LoopPair> pairs;
     std::vector<LoopPair> doubtful_pairs;
 };
 
-bool OverlapLoops::State::is_near(const SeenFrame& query, const SeenFrame& candidate) const
+OverlapLoops::State::Geometry OverlapLoops::State::geometry(const SeenFrame& query,
+                                                            const SeenFrame& candidate)
 {
     const auto& a = query.map_from_camera;
     const auto& b = candidate.map_from_camera;
-    return query.seconds - candidate.seconds >= options.min_age_seconds &&
-           a.distanceTo(b) <= options.max_distance_m &&
-           axis_of(a).dot(axis_of(b)) >= std::cos(options.max_angle_deg * kRadiansPerDegree);
+    return {a.distanceTo(b), axis_of(a).dot(axis_of(b))};
 }
 
-double OverlapLoops::State::overlap(const SeenFrame& query,
-                                    const cv::Mat& query_depth,
-                                    const SeenFrame& candidate) const
+/** Files the pair under loops, doubtful pairs or, when it is wrong, nowhere. */
+void OverlapLoops::State::compare(const LoopPair& ids,
+                                  const SeenFrame& query,
+                                  const cv::Mat& query_depth)
 {
-    if (candidate.points.empty()) return 0;
-    const auto query_from_candidate = candidate.map_from_camera - query.map_from_camera;
-    const auto seen = std::count_if(
-        candidate.points.begin(),
-        candidate.points.end(),
-        [&](const cv::Point3f& p)
-        {
-            const auto point = query_from_candidate.composePoint(mrpt::math::TPoint3D(
-                static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)));
-            return sees(camera, query_depth, {point.x, point.y, point.z});
-        });
-    return static_cast<double>(seen) / static_cast<double>(candidate.points.size());
+    const auto& candidate = frames[to_index(ids.candidate)];
+    if (query.seconds - candidate.seconds < options.min_age_seconds) return;
+    const auto apart = geometry(query, candidate);
+    const bool may_be_loop = apart.within(options.max_distance_m, options.max_angle_deg);
+    const bool is_near =
+        apart.within(options.doubtful_max_distance_m, options.doubtful_max_angle_deg);
+    const bool may_overlap =
+        apart.within(options.doubtful_overlap_distance_m, options.doubtful_overlap_angle_deg);
+    if (!may_be_loop && !is_near && !may_overlap) return;
+    auto pair = ids;
+    pair.overlap = overlap_of(camera, query, query_depth, candidate);
+    const auto shares_surface = [&]
+    {
+        return pair.overlap >= options.doubtful_overlap ||
+               overlap_of(coarse_camera, candidate, candidate.depth, query) >=
+                   options.doubtful_overlap;
+    };
+    if (may_be_loop && pair.overlap >= options.overlap)
+        pairs.push_back(pair);
+    else if (is_near || (may_overlap && shares_surface()))
+        doubtful_pairs.push_back(pair);
 }
 
 OverlapLoops::OverlapLoops(const TTruthOptions& options, const CameraModel& camera)
@@ -133,6 +207,7 @@ OverlapLoops::OverlapLoops(const TTruthOptions& options, const CameraModel& came
         throw std::invalid_argument("OverlapLoops: the camera is no pinhole of 2x2 pixels or more");
     state_->options = options;
     state_->camera = camera;
+    state_->coarse_camera = kept_camera(camera);
 }
 
 OverlapLoops::~OverlapLoops() = default;
@@ -141,22 +216,15 @@ void OverlapLoops::add(double seconds,
                        const mrpt::math::TPose3D& map_from_camera,
                        const cv::Mat& depth)
 {
-    auto& [options, camera, frames, pairs, doubtful_pairs] = *state_;
+    const auto& camera = state_->camera;
     if (depth.type() != CV_32FC1 || depth.cols != camera.width || depth.rows != camera.height)
         throw std::invalid_argument("OverlapLoops::add: depth is not float of the camera's size");
-    SeenFrame query{seconds, CPose3D(map_from_camera), grid_points(camera, depth)};
-    const FrameId query_id{frames.size()};
-    for (std::size_t i = 0; i < frames.size(); ++i)
-    {
-        if (!state_->is_near(query, frames[i])) continue;
-        const double overlap = state_->overlap(query, depth, frames[i]);
-        const LoopPair pair{query_id, FrameId{i}, overlap};
-        if (overlap >= options.overlap)
-            pairs.push_back(pair);
-        else if (overlap >= options.doubtful_overlap)
-            doubtful_pairs.push_back(pair);
-    }
-    frames.push_back(std::move(query));
+    SeenFrame query{
+        seconds, CPose3D(map_from_camera), grid_points(camera, depth), kept_depth(camera, depth)};
+    const FrameId query_id{state_->frames.size()};
+    for (std::size_t i = 0; i < state_->frames.size(); ++i)
+        state_->compare({query_id, FrameId{i}, 0}, query, depth);
+    state_->frames.push_back(std::move(query));
 }
 
 const std::vector<LoopPair>& OverlapLoops::pairs() const
@@ -172,10 +240,14 @@ const std::vector<LoopPair>& OverlapLoops::doubtful_pairs() const
 void TTruthOptions::describe(OptionVisitor& visitor)
 {
     visitor.real("overlap", overlap, 0.01, 1);
-    visitor.real("doubtful_overlap", doubtful_overlap, 0.01, 1);
     visitor.real("min_age_seconds", min_age_seconds, 0, 1e6);
     visitor.real("max_distance_m", max_distance_m, 0, 1000);
     visitor.real("max_angle_deg", max_angle_deg, 0, 180);
+    visitor.real("doubtful_overlap", doubtful_overlap, 0.01, 1);
+    visitor.real("doubtful_overlap_distance_m", doubtful_overlap_distance_m, 0, 1000);
+    visitor.real("doubtful_overlap_angle_deg", doubtful_overlap_angle_deg, 0, 180);
+    visitor.real("doubtful_max_distance_m", doubtful_max_distance_m, 0, 1000);
+    visitor.real("doubtful_max_angle_deg", doubtful_max_angle_deg, 0, 180);
 }
 
 void write_loops(std::ostream& out,
@@ -186,7 +258,10 @@ void write_loops(std::ostream& out,
     out << "# query candidate (0-based camera frames; the candidate is the earlier one)\n"
         << "# the share `overlap` or more of the candidate's pixels is seen in the query;";
     for (const auto& [key, value] : options.values()) out << " " << key << "=" << value;
-    out << "\n# with a third word 0, from doubtful_overlap on: neither a loop nor none\n";
+    out << "\n# a third word 0: the pair is doubtful, neither right nor wrong; the frames share"
+        << "\n# `doubtful_overlap` or more in either direction, or are within"
+        << "\n# doubtful_max_distance_m and doubtful_max_angle_deg"
+        << "\n# without a line: a pair of min_age_seconds or more is wrong\n";
     for (const auto& pair : pairs)
         out << to_index(pair.query) << " " << to_index(pair.candidate) << "\n";
     for (const auto& pair : doubtful_pairs)

@@ -18,18 +18,25 @@ namespace fild
 struct TTruthOptions : Options
 {
     double overlap = 0.4;  ///< least share of the candidate's pixels that the query sees too
-    /** From this share on a pair that is no loop is doubtful: to answer with it is not wrong. */
-    double doubtful_overlap = 0.2;
     /** Earlier frames younger than this are no candidates; the delay of config-ini/default.ini. */
     double min_age_seconds = 20;
     double max_distance_m = 10;  ///< between the cameras
     double max_angle_deg = 45;  ///< between the optical axes: the same direction of travel
 
+    /** A pair that is no loop is doubtful from this overlap on, in either direction: the two frames
+     *  show some of the same surface, so a match between them is not wrong. */
+    double doubtful_overlap = 0.03;
+    double doubtful_overlap_distance_m = 40;  ///< largest distance at which overlap is looked for
+    double doubtful_overlap_angle_deg = 90;  ///< largest angle at which overlap is looked for
+    /** A pair within this distance and doubtful_max_angle_deg is doubtful whatever it shows. */
+    double doubtful_max_distance_m = 15;
+    double doubtful_max_angle_deg = 60;
+
  protected:
     void describe(OptionVisitor& visitor) override;
 };
 
-/** Two frames that see the same place from a near viewpoint. Value type. */
+/** Two frames of the same place. Value type. */
 struct LoopPair
 {
     FrameId query{};
@@ -43,7 +50,13 @@ struct LoopPair
  *  earlier frame's pixels is taken into space by their depth and projected into the query. A pixel
  *  is seen there when it falls into the image and the query's depth at that place agrees, within
  *  3 % and 0.1 m; so what stands before it hides it. Pixels without depth (the sky) do not count.
- *  Keeps some 1,000 points of each frame. Deterministic. Not thread-safe: one caller at a time. */
+ *
+ *  Of the other pairs of that age, those are doubtful that show some of the same surface in either
+ *  direction (the candidate's pixels in the query, or the query's in the candidate), and those that
+ *  are near and turned alike. All that remain are wrong.
+ *
+ *  Keeps some 1,000 points and 80 x 60 depths of each frame, for images of 4:3. Deterministic. Not
+ *  thread-safe: one caller at a time. */
 class OverlapLoops
 {
  public:
@@ -54,9 +67,10 @@ class OverlapLoops
     ~OverlapLoops();
 
     /** Takes the next frame and finds its loops with all before. Cost: the number of earlier
-     * frames, and a projection of the points of those near. \param map_from_camera  x right, y
-     * down, z forward. \param depth  float, metres along the optical axis, of the camera's size; 0:
-     * none. \throw std::invalid_argument when depth is of another size or kind. */
+     *  frames, and up to two projections of the points of those within the largest distance.
+     *  \param map_from_camera  x right, y down, z forward.
+     *  \param depth  float, metres along the optical axis, of the camera's size; 0: none.
+     *  \throw std::invalid_argument when depth is of another size or kind. */
     void add(double seconds, const mrpt::math::TPose3D& map_from_camera, const cv::Mat& depth);
 
     /** All loops up to now, by query, then candidate. */
