@@ -2,6 +2,7 @@
 #include "fild/synthetic/route.h"
 
 #include "message_of.h"
+#include "town_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -232,6 +233,144 @@ TEST(Route, DependsOnTheSeedAlone)
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].map_from_robot, b[i].map_from_robot);
     EXPECT_NE(a[7].map_from_robot, c[7].map_from_robot);
+}
+
+TEST(Route, DrivesEverySecondLapInTheOtherLane)
+{
+    const StreetGrid grid;
+    auto options = without_noise(TRouteOptions());
+    options.laps = 3;
+    const auto usual = plan_route(options, grid, 1);
+    options.lap_offset_m = 2.5;
+    const auto aside = plan_route(options, grid, 1);
+    ASSERT_EQ(aside.size(), usual.size());
+    std::size_t in_the_other_lane = 0;
+    for (std::size_t i = 0; i < aside.size(); ++i)
+    {
+        const auto left = distance(aside[i], usual[i]);
+        EXPECT_LE(left, 2.5 + 1e-9);
+        EXPECT_NEAR(left, aside[i].lane_left_m, 1e-9);
+        if (aside[i].lap != 1)
+        {
+            EXPECT_EQ(aside[i].map_from_robot, usual[i].map_from_robot) << i;
+            continue;
+        }
+        in_the_other_lane += left > 2.49 ? 1 : 0;
+        const double right = right_of_street_middle(aside[i], grid);
+        const double turn = std::remainder(aside[i].map_from_lane.phi, 90 * kRadPerDeg);
+        if (std::abs(right) < 4.5 && std::abs(turn) < 1e-9 && left > 2.499)
+        {
+            EXPECT_NEAR(right, 1.5 - 2.5, 0.001);
+        }
+    }
+    EXPECT_GT(in_the_other_lane, part(aside, Stretch::lap, 1).size() * 8 / 10);
+}
+
+TEST(Route, HasNoJumpsWhereItChangesTheLane)
+{
+    auto options = dense_options();
+    options.lap_offset_m = 3;
+    options.lap_view_deg = 45;
+    const auto route = plan_route(options, {}, 1);
+    for (std::size_t i = 1; i < route.size(); ++i)
+    {
+        const double way = distance(route[i - 1], route[i]);
+        ASSERT_LT(way, 0.11) << i;
+        ASSERT_GT(way, 0.008) << i;  // on the inner side of a corner
+        ASSERT_LT(std::abs(turned(route[i - 1], route[i])), 1.5 * kRadPerDeg) << i;
+    }
+}
+
+TEST(Route, DrivesThroughNoParkedCar)
+{
+    fild::TTownOptions town;
+    const auto plan = fild::plan_town(town);
+    for (const double lap_offset_m : {0.0, 1.5, 2.5, 3.0})
+    {
+        auto options = dense_options();
+        options.frames_per_second = 10;
+        options.lane_offset_m = 0.3;
+        options.lap_offset_m = lap_offset_m;
+        for (const auto& pose : plan_route(options, plan.grid, 1))
+            for (const auto& bay : plan.parking_bays)
+            {
+                const auto& at = pose.map_from_robot;
+                const double c = std::cos(bay.heading);
+                const double s = std::sin(bay.heading);
+                const double ahead = c * (at.x - bay.at.x) + s * (at.y - bay.at.y);
+                const double left = c * (at.y - bay.at.y) - s * (at.x - bay.at.x);
+                EXPECT_FALSE(std::abs(ahead) < 2.15 && std::abs(left) < 0.86)
+                    << lap_offset_m << " at " << pose.seconds;
+            }
+    }
+}
+
+TEST(Route, StaysOnTheCarriagewayInTheOtherLane)
+{
+    const StreetGrid grid;
+    auto options = dense_options();
+    options.lap_offset_m = 3;
+    for (const auto& pose : plan_route(options, grid, 1))
+    {
+        const auto pitch = grid.crossing(1, 1);
+        const double x = std::abs(std::remainder(pose.map_from_robot.x, pitch.x));
+        const double y = std::abs(std::remainder(pose.map_from_robot.y, pitch.y));
+        EXPECT_LT(std::min(x, y), grid.carriageway / 2 - 1);
+    }
+}
+
+TEST(Route, TurnsTheViewInEverySecondLap)
+{
+    auto options = without_noise(TRouteOptions());
+    const auto usual = plan_route(options, {}, 1);
+    options.lap_view_deg = 25;
+    const auto turned_views = plan_route(options, {}, 1);
+    ASSERT_EQ(turned_views.size(), usual.size());
+    int to_the_left = 0;
+    int to_the_right = 0;
+    for (std::size_t i = 0; i < usual.size(); ++i)
+    {
+        EXPECT_EQ(distance(usual[i], turned_views[i]), 0);
+        const double view = turned(usual[i], turned_views[i]) / kRadPerDeg;
+        EXPECT_LE(std::abs(view), 25 + 1e-9);
+        if (usual[i].lap != 1 || usual[i].stretch != Stretch::lap)
+        {
+            EXPECT_NEAR(view, 0, 1e-9) << i;
+        }
+        to_the_left += view > 20 ? 1 : 0;
+        to_the_right += view < -20 ? 1 : 0;
+    }
+    const auto lap = static_cast<int>(part(usual, Stretch::lap, 1).size());
+    EXPECT_GT(to_the_left, lap / 5);
+    EXPECT_GT(to_the_right, lap / 5);
+}
+
+TEST(Route, KnowsItsLane)
+{
+    auto options = without_noise(TRouteOptions());
+    const auto route = plan_route(options, {}, 1);
+    for (std::size_t i = 0; i < route.size(); ++i)
+    {
+        EXPECT_EQ(route[i].map_from_lane.x, route[i].map_from_robot.x);
+        EXPECT_EQ(route[i].map_from_lane.y, route[i].map_from_robot.y);
+        if (i > 0)
+        {
+            EXPECT_GE(route[i].lane_metres - route[i - 1].lane_metres,
+                      distance(route[i - 1], route[i]) - 1e-6);
+        }
+    }
+}
+
+TEST(Route, RefusesLapsBeyondTheOtherLane)
+{
+    TRouteOptions options;
+    options.lap_offset_m = 3.1;
+    EXPECT_THROW(plan_route(options, {}, 1), std::invalid_argument);
+    options.lap_offset_m = -0.1;
+    EXPECT_THROW(plan_route(options, {}, 1), std::invalid_argument);
+    options.lap_offset_m = 0;
+    options.lap_view_deg = 46;
+    EXPECT_THROW(plan_route(options, {}, 1), std::invalid_argument);
 }
 
 TEST(Route, RefusesACircuitThatTheTownHasNoRoomFor)

@@ -19,6 +19,7 @@ namespace
 constexpr double kLaneCentre = 1.5;  // m right of the street's centre line
 constexpr double kCornerReach = 9;  // m from the crossing of two lanes to where a corner begins
 constexpr double kLateralAcceleration = 2;  // m/s^2 in corners: a calm driver's
+constexpr double kLaneChange = 25;  // m
 /** From the circuit to the stretch that is driven once: its 20 m, and offsets from the lane. */
 constexpr double kFarFromCircuit = 22.5;
 
@@ -115,6 +116,56 @@ std::vector<double> frame_ways(const TRouteOptions& options, const LanePath& pat
     return ways;
 }
 
+int lap_at(const Course& course, double s)
+{
+    const auto& begins = course.lap_begins;
+    return static_cast<int>(std::upper_bound(begins.begin(), begins.end(), s) - begins.begin()) - 1;
+}
+
+Stretch stretch_at(const Course& course, double s)
+{
+    auto stretch = Stretch::lap;
+    for (const auto& [begin, later] : course.later_stretches)
+        if (s >= begin) stretch = later;
+    return stretch;
+}
+/** How a lap is driven at one place, apart from all that is drawn by lot. */
+struct LapManner
+{
+    double left_m = 0;  ///< beside the middle of the right-hand lane
+    double left_per_metre = 0;  ///< its derivative by the way
+    double view = 0;  ///< rad, of the robot's heading to the left of the way
+};
+
+/** From 0 to 1 as `u` goes from 0 to 1, with level ends. */
+double smooth_step(double u)
+{
+    u = std::clamp(u, 0.0, 1.0);
+    return u * u * (3 - 2 * u);
+}
+
+/** The laps with an odd number are driven aside and with the view turned. */
+LapManner lap_manner(const TRouteOptions& options, const Course& course, double s)
+{
+    const auto lap = static_cast<std::size_t>(lap_at(course, s));
+    const double begin = course.lap_begins[lap];
+    const double end = lap + 1 < course.lap_begins.size() ? course.lap_begins[lap + 1]
+                                                          : course.later_stretches.front().first;
+    if (lap % 2 == 0 || s >= end) return {};
+    const auto left = [&](double way)
+    {
+        const double from_end = std::min(way - begin, end - way);
+        return options.lap_offset_m * smooth_step(from_end / kLaneChange);
+    };
+    constexpr double kStep = 0.01;  // m
+    const double wave = std::sin(2 * 180 * kRadiansPerDegree * (s - begin) / (end - begin));
+    // Over 85 % of the full angle for half of the lap.
+    const double turned = wave * (1.5 - 0.5 * wave * wave);
+    return {left(s),
+            (left(s + kStep) - left(s - kStep)) / (2 * kStep),
+            options.lap_view_deg * kRadiansPerDegree * turned};
+}
+
 /** How the robot deviates from the path: smooth curves over the way. */
 class Deviation
 {
@@ -128,14 +179,15 @@ class Deviation
     {
     }
 
-    mrpt::math::TPose3D pose(const LanePoint& lane, double s) const
+    mrpt::math::TPose3D pose(const LanePoint& lane, const LapManner& manner, double s) const
     {
-        const double offset = options_.lane_offset_m * offset_.value(s);
+        const double offset = manner.left_m + options_.lane_offset_m * offset_.value(s);
         const double sideways =
-            std::atan2(options_.lane_offset_m * offset_.derivative(s), 1 - lane.curvature * offset);
+            std::atan2(manner.left_per_metre + options_.lane_offset_m * offset_.derivative(s),
+                       1 - lane.curvature * offset);
         const cv::Point2d left(-std::sin(lane.heading), std::cos(lane.heading));
         const auto position = lane.position + offset * left;
-        const double heading = lane.heading + sideways +
+        const double heading = lane.heading + sideways + manner.view +
                                options_.heading_noise_deg * kRadiansPerDegree * heading_.value(s);
         const double suspension = options_.suspension_deg * kRadiansPerDegree;
         return {position.x,
@@ -154,19 +206,6 @@ class Deviation
     SmoothNoise pitch_;
 };
 
-int lap_at(const Course& course, double s)
-{
-    const auto& begins = course.lap_begins;
-    return static_cast<int>(std::upper_bound(begins.begin(), begins.end(), s) - begins.begin()) - 1;
-}
-
-Stretch stretch_at(const Course& course, double s)
-{
-    auto stretch = Stretch::lap;
-    for (const auto& [begin, later] : course.later_stretches)
-        if (s >= begin) stretch = later;
-    return stretch;
-}
 }  // namespace
 
 void TRouteOptions::describe(OptionVisitor& visitor)
@@ -179,6 +218,9 @@ void TRouteOptions::describe(OptionVisitor& visitor)
     visitor.real("frames_per_second", frames_per_second, 0.1, 100);
     // At three and a half standard deviations the robot must still be in its lane.
     visitor.real("lane_offset_m", lane_offset_m, 0, 0.3);
+    // At 3 m it is the middle of the other lane, with the same room to the parked cars.
+    visitor.real("lap_offset_m", lap_offset_m, 0, 3);
+    visitor.real("lap_view_deg", lap_view_deg, 0, 45);
     visitor.real("heading_noise_deg", heading_noise_deg, 0, 10);
     visitor.real("suspension_deg", suspension_deg, 0, 3);
     visitor.integer("max_frames", max_frames, 0, 10000000);
@@ -210,10 +252,15 @@ std::vector<RoutePose> plan_route(const TRouteOptions& options,
     for (const double s : frame_ways(options, course.path))
     {
         const double seconds = static_cast<double>(route.size()) / options.frames_per_second;
+        const auto lane = course.path.at(s);
+        const auto manner = lap_manner(options, course, s);
         route.push_back({seconds,
                          lap_at(course, s),
                          stretch_at(course, s),
-                         deviation.pose(course.path.at(s), s)});
+                         deviation.pose(lane, manner, s),
+                         {lane.position.x, lane.position.y, lane.heading},
+                         s,
+                         manner.left_m});
     }
     return route;
 }

@@ -4,6 +4,7 @@
 #include "fild/core/options.h"
 #include "fild/synthetic/street_grid.h"
 
+#include <mrpt/math/TPose2D.h>
 #include <mrpt/math/TPose3D.h>
 
 #include <cstdint>
@@ -24,6 +25,13 @@ struct TRouteOptions : Options
     double speed_m_per_s = 5;  ///< on straight streets; corners are driven more slowly
     double frames_per_second = 2;
     double lane_offset_m = 0.2;  ///< standard deviation of the way beside the middle of the lane
+    /** Every second lap is driven this far to the left of the right-hand lane: at 2.5 and more in
+     * the other lane. The change takes the first and the last 25 m of that lap. */
+    double lap_offset_m = 0;
+    /** In every second lap the robot looks aside by up to this angle: to the left in the first half
+     *  of the lap, to the right in the second. It drives on as before: the true heading is turned.
+     */
+    double lap_view_deg = 0;
     double heading_noise_deg = 1;  ///< standard deviation of the heading against the way's
     double suspension_deg = 0.3;  ///< standard deviation of roll and of pitch
     int max_frames = 0;  ///< the route ends after so many; 0: all of it is driven
@@ -50,7 +58,11 @@ struct RoutePose
     double seconds = 0;  ///< since the start
     int lap = 0;  ///< from 0; what follows the last lap counts as part of it
     Stretch stretch = Stretch::lap;
-    mrpt::math::TPose3D map_from_robot;  ///< x forward, y left, z up, on the road
+    mrpt::math::TPose3D map_from_robot{};  ///< x forward, y left, z up, on the road
+    /** The middle of the right-hand lane beside the robot; x along the lane. */
+    mrpt::math::TPose2D map_from_lane{};
+    double lane_metres = 0;  ///< along the lane, since the start
+    double lane_left_m = 0;  ///< how far to the left of the lane the lap is driven
 };
 
 /** Plans a route: laps round the blocks at the origin, counter-clockwise, driving on the right; on
