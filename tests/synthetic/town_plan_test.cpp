@@ -139,6 +139,62 @@ TEST(TownPlan, LookAlikesAgeDifferently)
     EXPECT_NE(plan.rows[0].houses[0].wear, plan.rows[1].houses[0].wear);
 }
 
+/** A town in which every row but the first repeats another one. */
+fild::TownPlan varied_town(double variation)
+{
+    auto options = with_look_alikes(1);
+    options.look_alike_variation = variation;
+    return fild::plan_town(options);
+}
+
+TEST(TownPlan, LookAlikesDifferByTheAskedVariation)
+{
+    const auto same = varied_town(0);
+    const auto varied = varied_town(1);
+    ASSERT_EQ(same.rows.size(), varied.rows.size());
+    int other_signs = 0;
+    int other_colours = 0;
+    for (std::size_t i = 1; i < same.rows.size(); ++i)
+    {
+        const auto& before = same.rows[i].houses[0].design;
+        const auto& after = varied.rows[i].houses[0].design;
+        EXPECT_EQ(before.soot, 0);
+        EXPECT_LT(after.soot, 1);
+        EXPECT_EQ(before.floors, after.floors);
+        EXPECT_EQ(before.window, after.window);
+        EXPECT_EQ(before.windows_per_floor, after.windows_per_floor);
+        EXPECT_GE(after.width, 7);
+        other_signs += before.sign != after.sign ? 1 : 0;
+        other_colours += cv::norm(before.wall_colour - after.wall_colour) > 10 ? 1 : 0;
+    }
+    EXPECT_GT(other_signs, 20);
+    EXPECT_GT(other_colours, 20);
+}
+
+TEST(TownPlan, VariedLookAlikesFillTheirRows)
+{
+    for (const auto& row : varied_town(1).rows)
+    {
+        const auto& last = row.houses.back();
+        EXPECT_NEAR(last.offset + last.design.width, row.length, 1e-9);
+        EXPECT_GE(last.design.width, 7);
+    }
+}
+
+TEST(TownPlan, VariationLeavesTheOtherHousesAlone)
+{
+    fild::TTownOptions options;
+    options.look_alikes = 0;
+    const auto usual = fild::plan_town(options);
+    options.look_alike_variation = 1;
+    const auto varied = fild::plan_town(options);
+    for (std::size_t i = 0; i < usual.rows.size(); ++i)
+        EXPECT_EQ(usual.rows[i].houses[0].design.wall_colour,
+                  varied.rows[i].houses[0].design.wall_colour);
+    options.look_alike_variation = 1.1;
+    EXPECT_THROW(options.check(), std::invalid_argument);
+}
+
 TEST(TownPlan, OtherCarsStandThereWithAnotherSeed)
 {
     const auto plan = fild::plan_town({});

@@ -10,45 +10,6 @@ namespace fild
 {
 namespace
 {
-const std::vector<Colour>& wall_colours()
-{
-    static const std::vector<Colour> colours{{95, 110, 170},
-                                             {120, 150, 190},
-                                             {150, 190, 215},
-                                             {190, 205, 215},
-                                             {165, 185, 195},
-                                             {140, 175, 205},
-                                             {135, 160, 175},
-                                             {200, 190, 170},
-                                             {110, 140, 195},
-                                             {180, 180, 180}};
-    return colours;
-}
-
-const std::vector<Colour>& accent_colours()
-{
-    static const std::vector<Colour> colours{{60, 90, 40},
-                                             {110, 60, 30},
-                                             {40, 40, 130},
-                                             {40, 70, 100},
-                                             {120, 110, 40},
-                                             {50, 50, 50},
-                                             {40, 120, 170},
-                                             {90, 40, 90}};
-    return colours;
-}
-
-const std::vector<std::string>& signs()
-{
-    static const std::vector<std::string> names{
-        "BAKERY", "CAFE ROMA", "BOOKS",   "PHARMACY", "HOTEL",     "FLOWERS", "SHOES",
-        "OPTICS", "BAR 42",    "MUSIC",   "TOYS",     "BANK",      "FISH",    "WINES",
-        "PIZZA",  "TEA ROOM",  "CYCLES",  "HAIR",     "JAZZ",      "GALLERY", "TAILOR",
-        "PIANOS", "MARKET",    "BUTCHER", "CINEMA",   "KEYS",      "STAMPS",  "TRAVEL",
-        "RADIO",  "PAINTS",    "LAUNDRY", "ANTIQUES", "CHOCOLATE", "KEBAB",   "PRESS"};
-    return names;
-}
-
 /** Paints one house front from the ground up. Coordinates in metres, x from the left edge, y
  *  downwards from the top. */
 class FacadePainter
@@ -67,6 +28,7 @@ class FacadePainter
     void ground_floor();
     void cornice();
     void age();
+    void soot();
     cv::Mat canvas() const { return canvas_; }
 
  private:
@@ -401,37 +363,25 @@ void FacadePainter::age()
     add_stains(canvas_, wear_.whole(10, 40), pixels(0.5), wear_);
     shade(canvas_, fractal_noise(canvas_.size(), pixels(3), wear_), 0.06);
     add_grain(canvas_, 5, wear_);
+    if (design_.soot > 0) soot();
     tint(canvas_, {0, canvas_.rows - pixels(0.25), canvas_.cols, pixels(0.25)}, 0.75);
 }
-}  // namespace
 
-FacadeDesign design_facade(double width, Lot& lot)
+/** Dark in large clouds, with streaks of rain. */
+void FacadePainter::soot()
 {
-    FacadeDesign design;
-    design.width = width;
-    design.floors = lot.whole(3, 5);
-    design.floor_height = lot.real(2.8, 3.3);
-    design.wall = lot.pick<WallKind>(
-        {WallKind::brick, WallKind::brick, WallKind::plaster, WallKind::ashlar, WallKind::boards});
-    design.wall_colour = brighter(lot.pick(wall_colours()), lot.real(0.8, 1.1));
-    design.trim_colour =
-        lot.chance(0.75) ? Colour(215, 225, 230) : brighter(lot.pick(accent_colours()), 1.2);
-    design.accent_colour = lot.pick(accent_colours());
-    design.window = lot.pick<WindowKind>({WindowKind::casement,
-                                          WindowKind::sash,
-                                          WindowKind::shuttered,
-                                          WindowKind::arched,
-                                          WindowKind::wide});
-    design.windows_per_floor = std::max(2, cvRound(width / lot.real(2.4, 3.6)));
-    const bool narrow = design.window == WindowKind::shuttered;
-    design.window_size = {lot.real(0.9, narrow ? 1.1 : 1.5), lot.real(1.4, 1.8)};
-    design.shop = lot.chance(0.5);
-    design.sign = lot.pick(signs());
-    design.awning = lot.chance(0.4);
-    design.balcony_floor = lot.chance(0.4) ? lot.whole(1, design.floors - 1) : 0;
-    design.roof = lot.whole(0, 2);
-    return design;
+    shade(canvas_, fractal_noise(canvas_.size(), pixels(5), wear_), 0.25 * design_.soot);
+    tint(canvas_, cv::Rect({0, 0}, canvas_.size()), 1 - 0.3 * design_.soot);
+    const auto streaks = cvRound(size_.width * 4 * design_.soot);
+    for (int i = 0; i < streaks; ++i)
+        tint(canvas_,
+             pixels(cv::Rect2d(wear_.real(0, size_.width),
+                               wear_.real(0, size_.height / 2),
+                               wear_.real(0.05, 0.3),
+                               wear_.real(1, 5))),
+             wear_.real(0.8, 1.1));
 }
+}  // namespace
 
 cv::Mat paint_facade(const FacadeDesign& design, double width, std::uint64_t wear)
 {

@@ -44,12 +44,20 @@ struct FacadeDesign
     bool awning = false;
     int balcony_floor = 0;  ///< 0: none
     int roof = 0;  ///< which of the roof textures
+    double soot = 0;  ///< how much darker than painted, [0, 1)
 
     double height() const { return floors * floor_height + 0.8; }
 };
 
+/** Colours of walls, and of cloth. */
+const std::vector<Colour>& wall_colours();
+
 /** Draws a design. */
 FacadeDesign design_facade(double width, Lot& lot);
+
+/** A house of the same plan, as its owners have changed it: other plaster, paint, sign or awning,
+ *  soot, and a width that differs a little. \param strength  (0, 1]. */
+FacadeDesign varied(FacadeDesign design, double strength, Lot lot);
 
 /** Paints a house front of `size` metres in that design.
  *  \param wear  seed of what time did to it: stains, curtains, boxes of flowers, wires. */

@@ -11,6 +11,7 @@ void TTownOptions::describe(OptionVisitor& visitor)
     visitor.real("block_length_m", block_length_m, 30, 120);
     visitor.real("block_width_m", block_width_m, 30, 120);
     visitor.real("look_alikes", look_alikes, 0, 1);
+    visitor.real("look_alike_variation", look_alike_variation, 0, 1);
 }
 
 StreetGrid TTownOptions::street_grid() const

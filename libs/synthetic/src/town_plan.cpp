@@ -43,9 +43,16 @@ void add_surrounding_rows(std::vector<HouseRow>& rows, const StreetGrid& grid)
     }
 }
 
+/** Houses whose designs are repeated. */
+struct RowModel
+{
+    std::vector<House> houses;  ///< may be empty
+    double variation = 0;  ///< [town] look_alike_variation
+};
+
 /** Fills a row from left to right; the last house takes what is left.
- *  \param model  houses whose designs are repeated, as far as they reach; may be empty. */
-std::vector<House> build_row(double length, const std::vector<House>& model, Lot& lot)
+ *  \param model  is repeated as far as it reaches. */
+std::vector<House> build_row(double length, const RowModel& model, Lot& lot)
 {
     constexpr double kNarrowest = 7;
     constexpr double kWidest = 13;
@@ -56,9 +63,15 @@ std::vector<House> build_row(double length, const std::vector<House>& model, Lot
         const auto index = houses.size();
         House house;
         house.offset = offset;
-        house.design = index < model.size() ? model[index].design
-                                            : design_facade(lot.real(kNarrowest, kWidest), lot);
+        const bool repeats = index < model.houses.size();
+        house.design = repeats ? model.houses[index].design
+                               : design_facade(lot.real(kNarrowest, kWidest), lot);
         house.wear = lot.seed();
+        if (repeats && model.variation > 0)
+        {
+            house.design = varied(house.design, model.variation, Lot(house.wear + 2));
+            house.design.width = std::max(kNarrowest, house.design.width);
+        }
         const auto left_over = length - offset - house.design.width;
         if (left_over < kNarrowest) house.design.width += left_over;
         offset += house.design.width;
@@ -67,13 +80,14 @@ std::vector<House> build_row(double length, const std::vector<House>& model, Lot
     return houses;
 }
 
-void build_rows(std::vector<HouseRow>& rows, double look_alikes, Lot& lot)
+void build_rows(std::vector<HouseRow>& rows, const TTownOptions& options, Lot& lot)
 {
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
-        std::vector<House> model;
-        if (i > 0 && lot.chance(look_alikes))
-            model = rows[static_cast<std::size_t>(lot.whole(0, static_cast<int>(i) - 1))].houses;
+        RowModel model{{}, options.look_alike_variation};
+        if (i > 0 && lot.chance(options.look_alikes))
+            model.houses =
+                rows[static_cast<std::size_t>(lot.whole(0, static_cast<int>(i) - 1))].houses;
         rows[i].houses = build_row(rows[i].length, model, lot);
     }
 }
@@ -113,7 +127,7 @@ TownPlan plan_town(const TTownOptions& options)
         for (int j = 0; j < options.rows; ++j) add_block(plan.rows, plan.grid.block(i, j));
     add_surrounding_rows(plan.rows, plan.grid);
     Lot lot(static_cast<std::uint64_t>(options.seed));
-    build_rows(plan.rows, options.look_alikes, lot);
+    build_rows(plan.rows, options, lot);
     constexpr double kBay = 6;
     const auto by_the_kerb = plan.grid.pavement - 0.6;
     const auto in_the_bay = plan.grid.pavement + 1;

@@ -18,6 +18,10 @@ struct TTownOptions : Options
      *  walls, windows, shops and signs; only stains, curtains and what stands in front differ. */
     double look_alikes = 0.3;
 
+    /** How much the houses of look-alike rows differ all the same: 0 not at all; 1 by other
+     * colours, signs and awnings on most of them, soot, and up to 12 % in width. */
+    double look_alike_variation = 0;
+
     /** The streets of the town. */
     StreetGrid street_grid() const;
 
