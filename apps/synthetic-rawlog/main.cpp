@@ -33,6 +33,7 @@ struct AppOptions
 fild::Preset preset_named(const std::string& name)
 {
     if (name == "tiny") return fild::Preset::tiny;
+    if (name == "hard") return fild::Preset::hard;
     return name == "large" ? fild::Preset::large : fild::Preset::demo;
 }
 
@@ -67,7 +68,7 @@ std::optional<AppOptions> parse(int argc, char** argv)
     std::vector<std::string> sensors{"mono", "stereo", "rgbd"};
     TCLAP::ValuesConstraint<std::string> known_sensors(sensors);
     Text sensor("", "sensor", "What the robot sees with", false, "stereo", &known_sensors, command);
-    std::vector<std::string> presets{"tiny", "demo", "large"};
+    std::vector<std::string> presets{"tiny", "demo", "hard", "large"};
     TCLAP::ValuesConstraint<std::string> known_presets(presets);
     Text preset("", "preset", "What to begin from", false, "demo", &known_presets, command);
     Text output("o", "output", "The rawlog; must not exist yet", true, "", "FILE.rawlog", command);

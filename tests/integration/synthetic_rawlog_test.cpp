@@ -417,6 +417,19 @@ std::string error_of(const std::string& arguments, int exit_code)
     return finished.err;
 }
 
+TEST(SyntheticRawlog, DrawsTheHardTown)
+{
+    const TemporaryFolder folder;
+    const auto finished =
+        run(folder,
+            "--preset hard --sensor mono --set sensors.width=160 --set sensors.height=120 "
+            "--frames 3 --output hard.rawlog --quiet");
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_THAT(finished.out, HasSubstr("3 frames"));
+    EXPECT_THAT(error_of("--preset tiny --set route.lap_offset_m=9 --output a.rawlog", 1),
+                HasSubstr("lap_offset_m"));
+}
+
 TEST(SyntheticRawlog, TellsWhatIsWrong)
 {
     EXPECT_THAT(error_of("", 2), HasSubstr("--output"));

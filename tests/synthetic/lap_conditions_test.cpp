@@ -54,10 +54,30 @@ TEST(LapConditions, StayWhenNoChangeIsAskedFor)
     EXPECT_NE(conditions_of_lap(options, 0, 8).parked_cars, first.parked_cars);
 }
 
+TEST(LapConditions, TheSeasonGoesOnAfterTheFirstLap)
+{
+    TConditionsOptions options;
+    for (int lap = 0; lap < 5; ++lap) EXPECT_EQ(conditions_of_lap(options, lap, 7).season, 0);
+    options.season_change = 0.8;
+    EXPECT_EQ(conditions_of_lap(options, 0, 7).season, 0);
+    for (int lap = 1; lap < 50; ++lap)
+    {
+        const auto season = conditions_of_lap(options, lap, 7).season;
+        EXPECT_GE(season, 0.7 * 0.8);
+        EXPECT_LE(season, 0.8);
+    }
+}
+
 TEST(LapConditions, RefuseOptionsOutOfRange)
 {
     TConditionsOptions options;
     options.light_change = 1.1;
+    EXPECT_THROW(conditions_of_lap(options, 0, 1), std::invalid_argument);
+    options = {};
+    options.occluders = 1.1;
+    EXPECT_THROW(conditions_of_lap(options, 0, 1), std::invalid_argument);
+    options = {};
+    options.season_change = -0.1;
     EXPECT_THROW(conditions_of_lap(options, 0, 1), std::invalid_argument);
 }
 

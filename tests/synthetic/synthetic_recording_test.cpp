@@ -404,6 +404,59 @@ TEST(SyntheticRecording, RefusesBadRequests)
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
+TEST(SyntheticRecording, ShowsTheRoadUsersOfEachFrame)
+{
+    const TemporaryFolder folder;
+    auto request = small_request(folder, SensorKind::stereo);
+    request.options.route.max_frames = 6;
+    std::vector<std::size_t> shown;
+    const auto count_users = [&](const fild::CameraModel& camera,
+                                 const CPose3D& map_from_camera,
+                                 const fild::LapConditions& conditions)
+    {
+        shown.push_back(conditions.road_users.size());
+        return draw(camera, map_from_camera, conditions);
+    };
+    write_synthetic_recording(request, small_town(), count_users, nullptr);
+    EXPECT_THAT(shown, ::testing::Each(0U));
+    shown.clear();
+    request.rawlog_path = folder.path("busy.rawlog");
+    request.options.conditions.occluders = 1;
+    write_synthetic_recording(request, small_town(), count_users, nullptr);
+    ASSERT_EQ(shown.size(), 12U);
+    for (std::size_t i = 0; i < shown.size(); i += 2)
+    {
+        EXPECT_GT(shown[i], 10U);
+        EXPECT_EQ(shown[i], shown[i + 1]) << "both cameras see the same moment";
+    }
+}
+
+TEST(SyntheticRecording, RoadUsersOfAShorterOneAreThoseOfTheWhole)
+{
+    const auto places = [](int max_frames)
+    {
+        const TemporaryFolder folder;
+        auto request = small_request(folder, SensorKind::mono);
+        request.options.route.max_frames = max_frames;
+        request.options.conditions.occluders = 1;
+        std::vector<double> seen;
+        const auto note_users = [&](const fild::CameraModel& camera,
+                                    const CPose3D& map_from_camera,
+                                    const fild::LapConditions& conditions)
+        {
+            for (const auto& user : conditions.road_users) seen.push_back(user.x);
+            return draw(camera, map_from_camera, conditions);
+        };
+        write_synthetic_recording(request, small_town(), note_users, nullptr);
+        return seen;
+    };
+    const auto begin = places(5);
+    auto whole = places(0);
+    ASSERT_GT(whole.size(), begin.size());
+    whole.resize(begin.size());
+    EXPECT_EQ(whole, begin);
+}
+
 /** Frames of a preset's route. */
 std::size_t frames_of(fild::Preset preset)
 {
@@ -416,7 +469,27 @@ TEST(SyntheticOptions, PresetsHaveTheirSize)
 {
     EXPECT_LT(frames_of(fild::Preset::tiny), 100U);
     EXPECT_NEAR(static_cast<double>(frames_of(fild::Preset::demo)), 420, 20);
+    EXPECT_NEAR(static_cast<double>(frames_of(fild::Preset::hard)), 420, 20);
     EXPECT_GT(frames_of(fild::Preset::large), 2000U);
+}
+
+TEST(SyntheticOptions, OnlyThePresetHardIsHard)
+{
+    for (const auto preset : {fild::Preset::tiny, fild::Preset::demo, fild::Preset::large})
+    {
+        const auto options = options_of(preset);
+        EXPECT_EQ(options.route.lap_offset_m, 0);
+        EXPECT_EQ(options.route.lap_view_deg, 0);
+        EXPECT_EQ(options.conditions.occluders, 0);
+        EXPECT_EQ(options.conditions.season_change, 0);
+        EXPECT_EQ(options.town.look_alike_variation, 0);
+    }
+    const auto hard = options_of(fild::Preset::hard);
+    EXPECT_GT(hard.route.lap_offset_m, 2);
+    EXPECT_GE(hard.route.lap_view_deg, 20);
+    EXPECT_GT(hard.conditions.occluders, 0);
+    EXPECT_GT(hard.conditions.season_change, 0);
+    EXPECT_GT(hard.town.look_alike_variation, 0);
 }
 
 TEST(SyntheticOptions, StandInTheReadme)

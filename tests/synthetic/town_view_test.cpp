@@ -110,6 +110,70 @@ TEST(Town, LapsDifferInLightShadowsAndCarsOnly)
     EXPECT_EQ(difference(town.draw(model, pose, usual).image, reference), 0);
 }
 
+TEST(Town, SeasonsChangeTreesAndGround)
+{
+    fild::Town town(one_block());
+    const auto pose = on_the_road(5, -1.75, 0);
+    const auto model = camera(320, 240);
+    const auto summer = town.draw(model, pose, {});
+    fild::LapConditions conditions;
+    conditions.season = 0.8;
+    const auto autumn = town.draw(model, pose, conditions);
+    EXPECT_GT(difference(autumn.image, summer.image), 2);
+    EXPECT_EQ(difference(town.draw(model, pose, {}).image, summer.image), 0);
+}
+
+/** Share of the pixels at which a view is nearer than another one. */
+double hidden_share(const fild::RenderedView& view, const fild::RenderedView& without)
+{
+    const cv::Mat nearer = (view.depth > 0) & ((without.depth == 0) | (view.depth < without.depth));
+    return static_cast<double>(cv::countNonZero(nearer)) / static_cast<double>(nearer.total());
+}
+
+TEST(Town, RoadUsersHideWhatIsBehindThem)
+{
+    using fild::RoadUserKind;
+    fild::Town town(one_block());
+    const auto pose = on_the_road(5, -1.75, 0);
+    const auto model = camera();
+    const auto empty = town.draw(model, pose, {});
+    const auto view_with = [&](const fild::RoadUser& user)
+    {
+        fild::LapConditions conditions;
+        conditions.road_users = {user};
+        return town.draw(model, pose, conditions);
+    };
+    // 4 m before the camera.
+    const auto lorry = view_with({RoadUserKind::lorry, 9 + 3.25, -1.75, 0, 0, 5});
+    EXPECT_GT(hidden_share(lorry, empty), 0.15);
+    EXPECT_LT(hidden_share(lorry, empty), 0.4);
+    EXPECT_NEAR(lorry.depth.at<float>(240, 320), 4, 0.1);
+    // Beside the camera, oncoming.
+    const auto bus = view_with({RoadUserKind::bus, 10, 1.4, CV_PI, 0, 5});
+    EXPECT_GT(hidden_share(bus, empty), 0.15);
+    const auto car = view_with({RoadUserKind::car, 12, -1.75, 0, 0, 5});
+    EXPECT_GT(hidden_share(car, empty), 0.03);
+    const auto person = view_with({RoadUserKind::pedestrian, 9, -1.75, 0.5, 0.2, 5});
+    EXPECT_GT(hidden_share(person, empty), 0.01);
+    EXPECT_LT(hidden_share(person, empty), 0.1);
+    EXPECT_NEAR(person.depth.at<float>(300, 320), 4, 0.3);
+    EXPECT_EQ(difference(town.draw(model, pose, {}).image, empty.image), 0);
+}
+
+TEST(Town, RoadUsersStayWhenTheLightChanges)
+{
+    fild::Town town(one_block());
+    const auto pose = on_the_road(5, -1.75, 0);
+    const auto model = camera(320, 240);
+    fild::LapConditions conditions;
+    conditions.road_users = {{fild::RoadUserKind::lorry, 12, -1.75, 0, 0, 5}};
+    const auto before = town.draw(model, pose, conditions);
+    auto evening = conditions;
+    evening.sun_azimuth = 4;
+    EXPECT_EQ(hidden_share(town.draw(model, pose, evening), before), 0);
+    EXPECT_EQ(difference(town.draw(model, pose, conditions).image, before.image), 0);
+}
+
 TEST(Town, RefusesOptionsOutOfRange)
 {
     auto options = one_block();

@@ -268,4 +268,26 @@ void cast_shadows(cv::Mat& canvas,
     shade(canvas, light - 1, 1);
 }
 
+void weather_ground(cv::Mat& canvas, const cv::Rect2d& area, const TownPlan& plan, double season)
+{
+    const GroundMap map(area);
+    const cv::Scalar tone(1 - 0.25 * season, 1 - 0.2 * season, 1 - 0.12 * season);
+    cv::multiply(canvas, tone, canvas);
+    const cv::Rect all({0, 0}, canvas.size());
+    for (const auto& tree : plan.trees)
+    {
+        Lot lot(tree.seed + 3);
+        const auto leaves = cvRound(season * lot.real(100, 900));
+        for (int i = 0; i < leaves; ++i)
+        {
+            const auto out = 4.5 * lot.real(0, 1) * lot.real(0.2, 1);
+            const auto azimuth = lot.real(0, 2 * CV_PI);
+            const cv::Point2d beside(out * std::cos(azimuth), out * std::sin(azimuth));
+            const auto at = map.pixel(tree.at + beside);
+            const cv::Scalar leaf(lot.real(15, 50), lot.real(60, 150), lot.real(120, 205));
+            if (all.contains(at)) cv::circle(canvas, at, lot.whole(1, 3), leaf, cv::FILLED);
+        }
+    }
+}
+
 }  // namespace fild

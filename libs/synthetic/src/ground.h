@@ -16,4 +16,8 @@ void cast_shadows(cv::Mat& canvas,
                   const TownPlan& plan,
                   const cv::Point2d& shadow);
 
+/** Wet ground, pale lawns, and fallen leaves under the trees and along the kerbs.
+ *  \param canvas  of paint_ground(). \param season  (0, 1]. */
+void weather_ground(cv::Mat& canvas, const cv::Rect2d& area, const TownPlan& plan, double season);
+
 }  // namespace fild

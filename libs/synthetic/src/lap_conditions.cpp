@@ -64,6 +64,8 @@ void TConditionsOptions::describe(OptionVisitor& visitor)
 {
     visitor.real("light_change", light_change, 0, 1);
     visitor.flag("parked_cars_change", parked_cars_change);
+    visitor.real("occluders", occluders, 0, 1);
+    visitor.real("season_change", season_change, 0, 1);
     visitor.real("image_noise", image_noise, 0, 100);
     visitor.real("blur_px", blur_px, 0, 10);
 }
@@ -81,6 +83,8 @@ LapConditions conditions_of_lap(const TConditionsOptions& options, int lap, std:
     conditions.sun_azimuth += change * kMaxAzimuthChange * distinct_change(lot);
     conditions.sun_elevation += change * kMaxElevationChange * distinct_change(lot);
     conditions.exposure *= std::exp2(change * distinct_change(lot));
+    Lot of_season(seeded_generator(seed, RandomPurpose::season, static_cast<std::uint64_t>(lap))());
+    conditions.season = options.season_change * of_season.real(0.7, 1);
     return conditions;
 }
 

@@ -18,7 +18,10 @@ enum class RandomPurpose : std::uint32_t
     image_noise,
     odometry_bias,
     odometry_noise,
-    gps
+    gps,
+    pedestrians,
+    traffic,
+    season
 };
 
 /** A generator of its own for each seed, purpose and index (a frame, a lap, a component); the

@@ -64,6 +64,14 @@ void add_grain(cv::Mat& canvas, double deviation, Lot& lot)
         }
 }
 
+cv::Mat paint_mottled(const cv::Size& size, const Colour& colour, double strength, Lot& lot)
+{
+    cv::Mat picture(size, CV_8UC3, scalar(colour));
+    shade(picture, fractal_noise(size, 32, lot), strength);
+    add_grain(picture, 8, lot);
+    return picture;
+}
+
 void lay_bricks(cv::Mat& canvas,
                 const cv::Rect& area,
                 const cv::Size& brick,

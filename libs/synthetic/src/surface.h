@@ -46,6 +46,9 @@ void shade(cv::Mat& canvas, const cv::Mat& noise, double strength);
 /** Adds the grain of a rough surface, `deviation` grey values, equal in the three colours. */
 void add_grain(cv::Mat& canvas, double deviation, Lot& lot);
 
+/** A picture of one colour with smooth noise and grain. */
+cv::Mat paint_mottled(const cv::Size& size, const Colour& colour, double strength, Lot& lot);
+
 /** Fills `area` with running-bond bricks of the given size in pixels. */
 void lay_bricks(cv::Mat& canvas,
                 const cv::Rect& area,

@@ -47,6 +47,15 @@ TSyntheticOptions options_of(Preset preset)
         case Preset::demo:
             options.route.speed_m_per_s = 6;
             break;
+        case Preset::hard:
+            options.town.look_alike_variation = 0.7;
+            options.route.speed_m_per_s = 6;
+            options.route.lap_offset_m = 2.5;
+            options.route.lap_view_deg = 25;
+            options.conditions.light_change = 0.45;
+            options.conditions.occluders = 0.8;
+            options.conditions.season_change = 0.8;
+            break;
         case Preset::large:
             options.town.columns = 5;
             options.town.rows = 4;

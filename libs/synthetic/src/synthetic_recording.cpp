@@ -3,6 +3,7 @@
 
 #include "fild/rawlog/robot_path_file.h"
 #include "fild/synthetic/odometry.h"
+#include "fild/synthetic/road_users.h"
 #include "observations.h"
 #include "recording_files.h"
 
@@ -44,6 +45,14 @@ std::vector<TPose3D> measured_odometry(const TSyntheticOptions& options,
     return drifting_odometry(truth, dimensions, options.sensors.drift_percent, seed_of(options));
 }
 
+/** The route without an end by max_frames: road users are the same however long a recording is. */
+std::vector<RoutePose> whole_route(const TSyntheticOptions& options, const StreetGrid& grid)
+{
+    auto whole = options.route;
+    whole.max_frames = 0;
+    return plan_route(whole, grid, seed_of(options));
+}
+
 /** "frame_000012.jpg", or "frame_000012_left.jpg" and "..._right.jpg". */
 std::string image_name(std::size_t frame, std::size_t camera, std::size_t cameras)
 {
@@ -83,6 +92,8 @@ class Recorder
           draw_(draw),
           route_(plan_route(options_.route, grid, seed_of(options_))),
           odometry_(measured_odometry(options_, route_)),
+          road_users_(
+              options_.conditions.occluders, whole_route(options_, grid), grid, seed_of(options_)),
           files_(request.rawlog_path, request.embed),
           loops_(options_.truth, camera_of(options_.sensors))
     {
@@ -108,6 +119,7 @@ class Recorder
     const DrawView& draw_;
     std::vector<RoutePose> route_;
     std::vector<TPose3D> odometry_;  ///< start_from_robot of each frame
+    RoadUsers road_users_;
     RecordingFiles files_;
     OverlapLoops loops_;
 };
@@ -125,7 +137,8 @@ void Recorder::record(std::size_t frame)
 Recorder::Seen Recorder::look(std::size_t frame) const
 {
     const auto& pose = route_[frame];
-    const auto conditions = conditions_of_lap(options_.conditions, pose.lap, seed_of(options_));
+    auto conditions = conditions_of_lap(options_.conditions, pose.lap, seed_of(options_));
+    conditions.road_users = road_users_.at(frame);
     const auto cameras = robot_from_cameras(options_.sensors);
     Seen seen;
     for (std::size_t i = 0; i < cameras.size(); ++i)

@@ -83,6 +83,16 @@ void TexturedMesh::add_panel(const std::array<cv::Point3d, 4>& corners, const cv
              {corners[3], {left, top}});
 }
 
+bool TexturedMesh::empty() const
+{
+    return object_->getTrianglesCount() == 0;
+}
+
+void TexturedMesh::clear()
+{
+    object_->clearTriangles();
+}
+
 mrpt::opengl::CSetOfTexturedTriangles::Ptr TexturedMesh::object(const cv::Mat& picture, bool lit)
 {
     object_->assignImage(mrpt::img::CImage(picture, mrpt::img::DEEP_COPY));

@@ -33,6 +33,10 @@ class TexturedMesh
     void add_smooth_triangle(const std::array<Corner, 3>& corners,
                              const std::array<cv::Point3d, 3>& normals);
 
+    bool empty() const;
+    /** Takes all surfaces away; an object() made before shows those that are added later. */
+    void clear();
+
     /** The surfaces as an object of a scene. \param lit  by the sun; else as bright as painted. */
     mrpt::opengl::CSetOfTexturedTriangles::Ptr object(const cv::Mat& picture, bool lit = true);
 

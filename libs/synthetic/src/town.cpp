@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/synthetic/town.h"
 
+#include "cars.h"
 #include "ground.h"
 #include "houses.h"
+#include "road_user_scene.h"
+#include "sky.h"
 #include "street_furniture.h"
 #include "textured_mesh.h"
 #include "town_plan.h"
+#include "trees.h"
 
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/poses/CPose3D.h>
@@ -20,8 +24,6 @@ namespace fild
 {
 namespace
 {
-constexpr double kSkyRadius = 400;  // m around the camera
-
 /** A part of the ground that has a picture of its own. */
 struct GroundTile
 {
@@ -112,12 +114,20 @@ cv::Mat paint_kerb()
     return kerb;
 }
 
+cv::Point3d towards_sun(const LapConditions& conditions)
+{
+    return {std::cos(conditions.sun_elevation) * std::cos(conditions.sun_azimuth),
+            std::cos(conditions.sun_elevation) * std::sin(conditions.sun_azimuth),
+            std::sin(conditions.sun_elevation)};
+}
+
 /** Roads, and the pavements over them. */
 void add_ground(mrpt::opengl::COpenGLScene& scene,
                 const TownPlan& plan,
                 const std::vector<GroundTile>& tiles,
-                const cv::Point2d& shadow)
+                const LapConditions& conditions)
 {
+    const auto sun = towards_sun(conditions);
     const auto& grid = plan.grid;
     const auto outer_kerb = with_margin(grid.bounds(), -grid.pavement);
     for (const auto& tile : tiles)
@@ -140,7 +150,8 @@ void add_ground(mrpt::opengl::COpenGLScene& scene,
             if (const auto part = strip & tile.area; part.area() > 0)
                 add_level(mesh, part, kKerbHeight, tile);
         auto picture = tile.picture.clone();
-        cast_shadows(picture, tile.area, plan, shadow);
+        if (conditions.season > 0) weather_ground(picture, tile.area, plan, conditions.season);
+        cast_shadows(picture, tile.area, plan, cv::Point2d(-sun.x, -sun.y) / sun.z);
         scene.insert(mesh.object(picture));
     }
     TexturedMesh kerbs;
@@ -151,66 +162,11 @@ void add_ground(mrpt::opengl::COpenGLScene& scene,
     scene.insert(kerbs.object(paint_kerb()));
 }
 
-/** Blue that pales towards the horizon, with clouds. */
-cv::Mat paint_sky(std::uint64_t seed)
-{
-    Lot lot(seed);
-    const cv::Size size(2048, 512);
-    cv::Mat noise = fractal_noise({size.width / 2, size.height}, 200, lot);
-    cv::Mat mirrored;
-    cv::flip(noise, mirrored, 1);
-    cv::hconcat(noise, mirrored, noise);  // no seam where the ends meet
-    cv::Mat sky(size, CV_8UC3);
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x)
-        {
-            const auto height = 1 - static_cast<double>(y) / size.height;
-            const Colour blue(235 - 25 * height, 205 - 65 * height, 180 - 90 * height);
-            const auto cloud =
-                std::min(1.0, std::max(0.0, 0.9 * static_cast<double>(noise.at<float>(y, x))));
-            const Colour mixed = blue * (1 - cloud) + Colour(245, 243, 240) * cloud;
-            sky.at<cv::Vec3b>(y, x) = mixed;
-        }
-    return sky;
-}
-
-/** The inside of a dome; its top is the upper edge of the picture. */
-mrpt::opengl::CSetOfTexturedTriangles::Ptr sky_dome(std::uint64_t seed)
-{
-    constexpr int kAround = 32;
-    constexpr int kUp = 8;
-    TexturedMesh mesh;
-    const auto corner = [](int around, int up)
-    {
-        const auto azimuth = 2 * CV_PI * around / kAround;
-        const auto elevation = CV_PI / 2 * up / kUp - 0.1;
-        return Corner{kSkyRadius * cv::Point3d(std::cos(elevation) * std::cos(azimuth),
-                                               std::cos(elevation) * std::sin(azimuth),
-                                               std::sin(elevation)),
-                      {static_cast<double>(around) / kAround,
-                       1 - static_cast<double>(up) / kUp * 0.98 - 0.01}};
-    };
-    for (int around = 0; around < kAround; ++around)
-        for (int up = 0; up < kUp; ++up)
-        {
-            const auto next = around + 1;
-            mesh.add_triangle(corner(next, up), corner(around, up), corner(around, up + 1));
-            mesh.add_triangle(corner(next, up), corner(around, up + 1), corner(next, up + 1));
-        }
-    return mesh.object(paint_sky(seed), false);
-}
-
-bool same(const LapConditions& a, const LapConditions& b)
+/** But for the exposure and the road users. */
+bool same_scene(const LapConditions& a, const LapConditions& b)
 {
     return a.sun_azimuth == b.sun_azimuth && a.sun_elevation == b.sun_elevation &&
-           a.parked_cars == b.parked_cars;
-}
-
-cv::Point3d towards_sun(const LapConditions& conditions)
-{
-    return {std::cos(conditions.sun_elevation) * std::cos(conditions.sun_azimuth),
-            std::cos(conditions.sun_elevation) * std::sin(conditions.sun_azimuth),
-            std::sin(conditions.sun_elevation)};
+           a.parked_cars == b.parked_cars && a.season == b.season;
 }
 }  // namespace
 
@@ -223,14 +179,20 @@ struct Town::Parts
     std::optional<LapConditions> built_for;
     mrpt::opengl::CSetOfTexturedTriangles::Ptr sky;
     std::unique_ptr<OffscreenRenderer> renderer;
+    // Scenes give back what they hold in the renderer's context, so they must go before it.
+    std::shared_ptr<mrpt::opengl::COpenGLScene> scene;
+    std::unique_ptr<RoadUserScene> road_users;  ///< once there is one in the scene
 
     void build(const LapConditions& conditions);
+    void show(const std::vector<RoadUser>& users);
 };
 
 void Town::Parts::build(const LapConditions& conditions)
 {
+    road_users.reset();
+    scene.reset();
     renderer.reset();
-    auto scene = std::make_shared<mrpt::opengl::COpenGLScene>();
+    scene = std::make_shared<mrpt::opengl::COpenGLScene>();
     scene->getViewport()->setCustomBackgroundColor({0.62F, 0.66F, 0.60F});  // fields around
     const auto sun = towards_sun(conditions);
     auto& light = scene->getViewport()->lightParameters();
@@ -238,15 +200,26 @@ void Town::Parts::build(const LapConditions& conditions)
     light.diffuse = {0.55F, 0.53F, 0.48F};
     light.direction = {
         static_cast<float>(-sun.x), static_cast<float>(-sun.y), static_cast<float>(-sun.z)};
-    add_ground(*scene, plan, ground, cv::Point2d(-sun.x, -sun.y) / sun.z);
+    add_ground(*scene, plan, ground, conditions);
     add_houses(*scene, plan, rows);
-    add_trees(*scene, plan.trees);
+    add_trees(*scene, plan.trees, conditions.season);
     add_lamp_posts(*scene, plan.lamp_posts);
     add_cars(*scene, parked_cars(plan, conditions.parked_cars));
     sky = sky_dome(conditions.parked_cars);
     scene->insert(sky);
     renderer = std::make_unique<OffscreenRenderer>(scene);
     built_for = conditions;
+}
+
+void Town::Parts::show(const std::vector<RoadUser>& users)
+{
+    if (users.empty() && !road_users) return;
+    if (!road_users)
+    {
+        road_users = std::make_unique<RoadUserScene>();
+        road_users->insert_into(*scene);
+    }
+    road_users->show(users);
 }
 
 Town::Town(const TTownOptions& options) : parts_(std::make_unique<Parts>())
@@ -268,7 +241,9 @@ RenderedView Town::draw(const CameraModel& camera,
                         const mrpt::poses::CPose3D& map_from_camera,
                         const LapConditions& conditions)
 {
-    if (!parts_->built_for || !same(*parts_->built_for, conditions)) parts_->build(conditions);
+    if (!parts_->built_for || !same_scene(*parts_->built_for, conditions))
+        parts_->build(conditions);
+    parts_->show(conditions.road_users);
     parts_->sky->setLocation(map_from_camera.x(), map_from_camera.y(), map_from_camera.z());
     auto view = parts_->renderer->draw(camera, map_from_camera);
     view.image.convertTo(view.image, -1, conditions.exposure);

@@ -18,6 +18,12 @@ struct TConditionsOptions : Options
      *  to 2, the sun by up to a right angle. */
     double light_change = 0.3;
     bool parked_cars_change = true;  ///< other cars stand in the streets in each lap
+    /** How many pedestrians and vehicles are in the streets and hide what is behind them: see
+     *  RoadUsers. */
+    double occluders = 0;
+    /** How far the season goes on after the first lap: 0 it is summer always; 1 late autumn, with
+     *  other leaves, bare trees and leaves on the ground. */
+    double season_change = 0;
     double image_noise = 2;  ///< standard deviation of each channel, grey values of 255
     double blur_px = 0.5;  ///< standard deviation of the Gaussian blur; 0: none
 
@@ -25,8 +31,9 @@ struct TConditionsOptions : Options
     void describe(OptionVisitor& visitor) override;
 };
 
-/** Light and parked cars of a lap (from 0). Lap 0 has the default light; every other lap differs
- *  from it by at least half of what the options allow. Deterministic.
+/** Light, season and parked cars of a lap (from 0), without road users. Lap 0 has the default light
+ *  in summer; every other lap differs from it by at least half of what the options allow.
+ *  Deterministic.
  *  \throw std::invalid_argument on bad options. */
 LapConditions conditions_of_lap(const TConditionsOptions& options, int lap, std::uint64_t seed);
 

@@ -33,6 +33,9 @@ enum class Preset
 {
     tiny,  ///< for tests: two short laps, some 60 small frames
     demo,  ///< two laps, some 420 frames of 640x480
+    /** As demo, as hard as real streets: the second lap in the other lane, with the view turned, in
+     *  another season, behind people and vehicles. */
+    hard,
     large  ///< four laps round the largest town, some 2,100 frames of 640x480
 };
 
