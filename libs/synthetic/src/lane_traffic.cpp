@@ -19,7 +19,7 @@ constexpr double kOtherLane = 3;  // m, from the middle of the right-hand lane t
 constexpr double kClosest = 3.5;  // m, from the robot to the rear of a vehicle before it
 constexpr double kClearOfRobot = 1;  // m, from the robot's middle to the side of a vehicle
 
-/** The middle of the right-hand lane after so many metres; nothing beyond the route. */
+/** The middle of the right-hand lane at a distance along it; nothing beyond the route. */
 std::optional<mrpt::math::TPose2D> lane_at(const std::vector<RoutePose>& route, double metres)
 {
     const auto next =

@@ -22,7 +22,7 @@ class Round
     explicit Round(const cv::Rect2d& corners) : corners_(corners) {}
 
     double length() const { return 2 * (corners_.width + corners_.height); }
-    /** The point after so many metres, counter-clockwise, and the heading there. */
+    /** The point `metres` along the line, counter-clockwise, and the heading there. */
     std::pair<cv::Point2d, double> at(double metres) const;
 
  private:
