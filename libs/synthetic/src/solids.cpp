@@ -78,6 +78,7 @@ void add_limb(TexturedMesh& mesh, const std::vector<LimbPoint>& points, const cv
 {
     const auto [ahead, left] = across(points.back().at - points.front().at);
     std::vector<Ring> rings;
+    rings.reserve(points.size());
     for (const auto& point : points)
         rings.push_back({point.at, point.radius * ahead, point.radius * left});
     add_tube(mesh, rings, part);
