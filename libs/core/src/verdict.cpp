@@ -29,6 +29,10 @@ std::string to_word(Rejection rejection)
             return "no_model";
         case Rejection::too_few_inliers:
             return "too_few_inliers";
+        case Rejection::may_be_chance:
+            return "may_be_chance";
+        case Rejection::may_be_look_alike:
+            return "may_be_look_alike";
         case Rejection::not_consistent_yet:
             return "not_consistent_yet";
     }
@@ -49,6 +53,8 @@ const std::vector<Rejection>& all_rejections()
         Rejection::too_few_matches,
         Rejection::no_model,
         Rejection::too_few_inliers,
+        Rejection::may_be_chance,
+        Rejection::may_be_look_alike,
         Rejection::not_consistent_yet,
     };
     return all;

@@ -2,6 +2,7 @@
 #include "fild/detector/detector_options.h"
 
 #include <limits>
+#include <stdexcept>
 
 namespace fild
 {
@@ -9,12 +10,19 @@ void TCandidateOptions::describe(OptionVisitor& visitor)
 {
     visitor.integer("place_frames", place_frames, 0, 1000);
     visitor.integer("neighbour_reach", neighbour_reach, 0, 1000);
-    visitor.integer("place_memory", place_memory, 0, 1000000);
+    visitor.flag("follow_belief", follow_belief);
     visitor.flag("stop_at_first", stop_at_first);
 }
 
 void TConsistencyOptions::describe(OptionVisitor& visitor)
 {
+    visitor.flag("belief", belief);
+    visitor.real("return_probability", return_probability, 1e-6, 0.9);
+    visitor.real("look_alike_share", look_alike_share, 0, 0.99);
+    visitor.real("leave_probability", leave_probability, 1e-6, 0.5);
+    visitor.real("jump_probability", jump_probability, 1e-6, 0.49);
+    visitor.integer("place_step", place_step, 0, 1000);
+    visitor.real("look_alike_weight", look_alike_weight, 0, 1);
     visitor.integer("consecutive_frames", consecutive_frames, 1, 1000);
     visitor.real("max_candidate_step_seconds", max_candidate_step_seconds, 0, 1e6);
 }
@@ -33,10 +41,21 @@ std::vector<std::pair<std::string, Options*>> TDetectorOptions::sections()
             {"hashing", &hashing},
             {"candidates", &candidates},
             {"verification", &verification},
+            {"same_place", &same_place},
             {"consistency", &consistency},
             {"depth", &depth},
             {"relative_pose", &relative_pose},
             {"runtime", &runtime}};
+}
+
+void TDetectorOptions::check_between_sections() const
+{
+    if (consistency.belief && !same_place.enabled)
+        throw std::invalid_argument(
+            "[consistency] belief = true needs the evidence of [same_place] enabled = true");
+    if (candidates.follow_belief && !consistency.belief)
+        throw std::invalid_argument(
+            "[candidates] follow_belief = true needs [consistency] belief = true");
 }
 
 }  // namespace fild

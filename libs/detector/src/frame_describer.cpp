@@ -18,6 +18,14 @@ std::vector<PixelPosition> positions_of(const LocalFeatures& features)
     for (const auto& keypoint : features.keypoints) positions.push_back({keypoint.x, keypoint.y});
     return positions;
 }
+
+std::vector<KeypointShape> shapes_of(const LocalFeatures& features)
+{
+    std::vector<KeypointShape> shapes;
+    shapes.reserve(features.size());
+    for (const auto& keypoint : features.keypoints) shapes.push_back(shape_of(keypoint));
+    return shapes;
+}
 }  // namespace
 
 FrameFeatureExtractor::FrameFeatureExtractor(const TDetectorOptions& options)
@@ -69,7 +77,10 @@ FrameDescription FrameHasher::hash(const FrameFeatures& features) const
 
 HashedFeatures FrameHasher::hash(const LocalFeatures& features) const
 {
-    return {positions_of(features), hasher_.hash(features, num_threads_)};
+    return {positions_of(features),
+            hasher_.hash(features, num_threads_),
+            shapes_of(features),
+            features.image_size};
 }
 
 FrameDescriber::FrameDescriber(const TDetectorOptions& options)

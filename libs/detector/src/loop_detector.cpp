@@ -3,6 +3,7 @@
 #include "fild/detector/loop_detector.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -13,12 +14,14 @@ namespace
 {
 constexpr std::size_t kToldAnswers = 10;  // that candidates.csv has, verified or not
 
-/** Which candidate a verdict speaks of: what speaks most for, then the one with more matches.
+/** Which candidate a verdict names: the one with the best evidence, then the one with more matches.
  *  Equals stay in the order of the search, most similar first. */
-bool came_further(const FrameVerdict& a, const FrameVerdict& b)
+bool came_further(const ConsideredCandidate& a, const ConsideredCandidate& b)
 {
-    return std::make_tuple(a.support, a.inliers, a.matches) >
-           std::make_tuple(b.support, b.inliers, b.matches);
+    const auto evidence = [](const ConsideredCandidate& each)
+    { return each.odds ? each.odds->log_odds() : -std::numeric_limits<double>::infinity(); };
+    return std::make_tuple(evidence(a), a.inliers, a.matches) >
+           std::make_tuple(evidence(b), b.inliers, b.matches);
 }
 
 FrameVerdict verdict_of(const FrameDescription& description, Rejection rejection)
@@ -30,6 +33,13 @@ FrameVerdict verdict_of(const FrameDescription& description, Rejection rejection
     verdict.keypoints = description.local.positions.size();
     verdict.rejection = rejection;
     return verdict;
+}
+
+/** The explanation that the evidence does not rule out. */
+Rejection weakness_of(const PairOdds& odds)
+{
+    return odds.against_chance < odds.against_look_alike ? Rejection::may_be_chance
+                                                         : Rejection::may_be_look_alike;
 }
 
 std::uint64_t frames_between(FrameId a, FrameId b)
@@ -61,7 +71,7 @@ class LoopDetector::Trials
         : detector_(detector), query_(query), times_(times)
     {
         for (const auto& answer : answers)
-            considered_.push_back({answer, considered_.size() + 1, false, 0, 0, 0, {}});
+            considered_.push_back({answer, considered_.size() + 1});
     }
 
     /** \return true when the candidate is the best so far; false for one that was verified before.
@@ -70,15 +80,10 @@ class LoopDetector::Trials
     {
         auto& entry = entry_of(candidate);
         if (entry.checked) return false;
-        auto outcome = detector_.verify(query_, candidate, times_);
-        const auto& verdict = outcome.verdict;
-        entry.checked = true;
-        entry.matches = verdict.matches;
-        entry.inliers = verdict.inliers;
-        entry.support = verdict.support;
-        entry.rejection = verdict.rejection;
-        if (best_ && !came_further(verdict, best_->verdict)) return false;
+        auto outcome = detector_.verify(query_, candidate, entry, times_);
+        if (best_ && !came_further(entry, best_entry_)) return false;
         best_ = std::move(outcome);
+        best_entry_ = entry;
         return true;
     }
 
@@ -102,7 +107,7 @@ class LoopDetector::Trials
     {
         for (auto& entry : considered_)
             if (entry.candidate.frame == candidate.frame) return entry;
-        considered_.push_back({candidate, 0, false, 0, 0, 0, {}});
+        considered_.push_back({candidate});
         return considered_.back();
     }
 
@@ -111,6 +116,7 @@ class LoopDetector::Trials
     StageTimes& times_;
     std::vector<ConsideredCandidate> considered_;
     std::optional<DetectorOutcome> best_;
+    ConsideredCandidate best_entry_;  ///< of `best_`
 };
 
 LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_dimension)
@@ -126,6 +132,9 @@ LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_d
       consistency_(options.consistency)
 {
     candidate_options_.check();
+    options.check_between_sections();
+    if (options.same_place.enabled) model_.emplace(options.same_place);
+    if (options.consistency.belief) belief_.emplace(options.consistency);
 }
 
 DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& times)
@@ -162,6 +171,7 @@ void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& release
     {
         const StageTimer timer(times, "index_insertion");
         index_->insert(entry.frame, entry.descriptor);
+        if (belief_) belief_->add_place(entry.frame);
         last_released_ = entry.frame;
     }
 }
@@ -207,30 +217,45 @@ std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,
             std::none_of(chosen.begin(), chosen.end(), shows_the_same_place))
             chosen.push_back(answers[i]);
     }
-    if (last_place_ && frames_since_ < candidate_options_.place_memory)
-        chosen.insert(chosen.begin(),
-                      {*last_place_, index_->similarity(query.global, *last_place_)});
+    if (!candidate_options_.follow_belief) return chosen;
+    if (const auto place = belief_->likeliest())
+        chosen.insert(chosen.begin(), {*place, index_->similarity(query.global, *place)});
     return chosen;
 }
 
 DetectorOutcome LoopDetector::verify(const FrameDescription& query,
                                      const Candidate& candidate,
+                                     ConsideredCandidate& entry,
                                      StageTimes& times) const
 {
     DetectorOutcome outcome{verdict_of(query, Rejection::none), {}, {}, {}};
     auto& verdict = outcome.verdict;
     verdict.candidate = candidate;
     const auto& place = places_.at(candidate.frame).local;
-    auto [matches, verification] = pairs_.verify(query.local, place, times);
+    auto [matches, verification, evidence, odds] = pairs_.verify(query.local, place, times);
     for (const auto& match : matches)
         outcome.matches.push_back(
             {query.local.positions[match.query], place.positions[match.candidate]});
     outcome.keypoint_matches = std::move(matches);
     verdict.matches = outcome.matches.size();
     verdict.inliers = verification.inliers.size();
-    verdict.support = verification.support;
     verdict.rejection = verification.rejection;
+    if (odds && !model_->convinces(*odds)) verdict.rejection = weakness_of(*odds);
+    if (model_)
+        verdict.support = odds ? probability_of(odds->log_odds()) : 0;
+    else
+        verdict.support =
+            static_cast<double>(verdict.inliers) / static_cast<double>(min_inliers_);
     outcome.inliers = std::move(verification.inliers);
+    entry = {candidate,
+             entry.rank,
+             true,
+             verdict.matches,
+             verdict.inliers,
+             verdict.support,
+             verdict.rejection,
+             evidence,
+             odds};
     return outcome;
 }
 
@@ -269,15 +294,30 @@ std::optional<FrameId> LoopDetector::neighbour_of(FrameId place, bool later) con
 void LoopDetector::check_consistency(DetectorOutcome& outcome)
 {
     auto& verdict = outcome.verdict;
-    if (!verdict.accepted())
-    {
+    if (belief_)
+        ask_belief(outcome);
+    else if (!verdict.accepted())
         consistency_.add_unverified();
-        ++frames_since_;
-        return;
+    else if (!consistency_.add_verified(places_.at(verdict.candidate->frame).timestamp))
+        verdict.rejection = Rejection::not_consistent_yet;
+}
+
+void LoopDetector::ask_belief(DetectorOutcome& outcome)
+{
+    std::vector<ComparedPlace> compared;
+    const ConsideredCandidate* named = nullptr;
+    auto& verdict = outcome.verdict;
+    for (const auto& entry : outcome.considered)
+    {
+        if (entry.checked) compared.push_back({entry.candidate.frame, entry.odds});
+        if (verdict.candidate && entry.candidate.frame == verdict.candidate->frame) named = &entry;
     }
-    last_place_ = verdict.candidate->frame;
-    frames_since_ = 0;
-    if (!consistency_.add_verified(places_.at(*last_place_).timestamp))
+    const double probability = belief_->update(compared);
+    if (named == nullptr || !named->odds) return;
+    verdict.support = probability;
+    if (log_odds_of(probability) >= model_->min_log_odds())
+        verdict.rejection = Rejection::none;
+    else if (verdict.rejection == Rejection::none)
         verdict.rejection = Rejection::not_consistent_yet;
 }
 

@@ -2,8 +2,11 @@
 // Matching and verification of FILD (An et al., IROS 2019), sections III-B and III-C.
 #include "fild/detector/pair_verifier.h"
 
-#include <algorithm>
+#include "fild/geometry/pair_evidence.h"
+#include "fild/geometry/shape_agreement.h"
+
 #include <cstdint>
+#include <numeric>
 
 namespace fild
 {
@@ -17,8 +20,10 @@ std::vector<Match> VerifiedPair::inliers() const
 
 PairVerifier::PairVerifier(const TDetectorOptions& options)
     : matcher_(options.hashing),
-      verifier_(options.verification, static_cast<std::uint64_t>(options.runtime.seed))
+      verifier_(options.verification, static_cast<std::uint64_t>(options.runtime.seed)),
+      one_shape_(options.verification.one_shape)
 {
+    if (options.same_place.enabled) model_.emplace(options.same_place);
 }
 
 VerifiedPair PairVerifier::verify(const HashedFeatures& query,
@@ -30,18 +35,41 @@ VerifiedPair PairVerifier::verify(const HashedFeatures& query,
         const StageTimer timer(times, "matching");
         pair.matches = matcher_.match(query.codes, candidate.codes);
     }
-    const StageTimer timer(times, "verification");
-    MatchedPixels matched;
-    matched.keypoints = std::min(query.positions.size(), candidate.positions.size());
-    matched.query.reserve(pair.matches.size());
-    matched.candidate.reserve(pair.matches.size());
-    for (const auto& match : pair.matches)
     {
-        matched.query.push_back(query.positions[match.query]);
-        matched.candidate.push_back(candidate.positions[match.candidate]);
+        const StageTimer timer(times, "verification");
+        pair.verification = verify_matches(query, candidate, pair.matches);
     }
-    pair.verification = verifier_.verify(matched);
+    if (!model_ || pair.verification.rejection != Rejection::none) return pair;
+    const StageTimer timer(times, "evidence");
+    const auto inliers = pair.inliers();
+    pair.evidence = measure_evidence({query, candidate, pair.matches, inliers});
+    pair.odds = model_->odds(inliers.size(), pair.evidence);
     return pair;
+}
+
+Verification PairVerifier::verify_matches(const HashedFeatures& query,
+                                          const HashedFeatures& candidate,
+                                          const std::vector<Match>& matches) const
+{
+    constexpr ShapeTolerance kTried = {30, 1};
+    std::vector<std::size_t> tried(matches.size());
+    std::iota(tried.begin(), tried.end(), std::size_t{0});
+    if (one_shape_)
+        tried = indices_of_shape(
+            dominant_shape(matches, query.shapes, candidate.shapes, ShapeTolerance{}),
+            matches,
+            query.shapes,
+            candidate.shapes,
+            kTried);
+    MatchedPixels matched;
+    for (const auto k : tried)
+    {
+        matched.query.push_back(query.positions[matches[k].query]);
+        matched.candidate.push_back(candidate.positions[matches[k].candidate]);
+    }
+    auto verification = verifier_.verify(matched);
+    for (auto& k : verification.inliers) k = tried[k];
+    return verification;
 }
 
 }  // namespace fild

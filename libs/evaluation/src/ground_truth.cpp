@@ -62,7 +62,8 @@ void require_same_length(const LoopLabels& labels, std::size_t frames, const std
         throw std::runtime_error(path + " labels " + std::to_string(*labels.frames) +
                                  " frames, the run has " + std::to_string(frames) +
                                  "; is it the truth of this recording?");
-    if (labels.earlier_frames.empty()) throw std::runtime_error("no loop in " + path);
+    if (labels.earlier_frames.empty() && labels.doubtful.empty())
+        throw std::runtime_error("no loop in " + path);
     auto queries = std::set<std::size_t>();
     for (const auto& labelled : labels.earlier_frames) queries.insert(labelled.first);
     for (const auto& pair : labels.doubtful) queries.insert(pair.first);

@@ -10,11 +10,10 @@ namespace fild
 {
 namespace
 {
-/** Do two poses see the same place? */
-bool near_each_other(const FramePose& a, const FramePose& b, const Protocol& protocol)
+bool are_near(const FramePose& a, const FramePose& b, double radius, double max_angle_deg)
 {
-    return cv::norm(a.position - b.position) <= protocol.radius &&
-           angle_between(a, b) <= protocol.max_angle_deg * kRadiansPerDegree;
+    return cv::norm(a.position - b.position) <= radius &&
+           angle_between(a, b) <= max_angle_deg * kRadiansPerDegree;
 }
 }  // namespace
 
@@ -58,7 +57,11 @@ Judgement PoseTruth::judge(FrameId query, FrameId candidate) const
     const auto& now = frames_.at(to_index(query));
     const auto& then = frames_.at(to_index(candidate));
     if (!now.pose || !then.pose) return Judgement::neither;
-    if (!near_each_other(*now.pose, *then.pose, protocol_)) return Judgement::wrong;
+    if (!are_near(*now.pose, *then.pose, protocol_.radius, protocol_.max_angle_deg))
+        return are_near(
+                   *now.pose, *then.pose, protocol_.doubtful_radius, 2 * protocol_.max_angle_deg)
+                   ? Judgement::neither
+                   : Judgement::wrong;
     const bool old_enough = now.timestamp - then.timestamp >= protocol_.min_age_seconds;
     return old_enough ? Judgement::right : Judgement::neither;
 }

@@ -19,6 +19,8 @@ LossStage stage_of_candidate(Rejection rejection)
             return LossStage::choice;
         case Rejection::no_model:
         case Rejection::too_few_inliers:
+        case Rejection::may_be_chance:
+        case Rejection::may_be_look_alike:
             return LossStage::geometry;
         case Rejection::too_few_matches:
             return LossStage::matching;

@@ -3,6 +3,7 @@
 
 #include "fild/core/parse_number.h"
 
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -28,16 +29,23 @@ Protocol parse_protocol(const std::string& word)
         protocol.window = *window;
         return protocol;
     }
-    if (const auto radius = parse_number<double>(argument);
-        name == "radius" && radius && *radius > 0)
+    const auto comma = argument.find(',');
+    const bool has_doubtful = comma != std::string::npos;
+    const auto radius = parse_number<double>(argument.substr(0, comma));
+    const auto doubtful =
+        has_doubtful ? parse_number<double>(argument.substr(comma + 1)) : std::optional(0.0);
+    if (name == "radius" && radius && doubtful && *radius > 0 &&
+        (!has_doubtful || *doubtful > *radius))
     {
         protocol.kind = Protocol::Kind::radius;
         protocol.radius = *radius;
+        protocol.doubtful_radius = *doubtful;
         return protocol;
     }
     throw std::invalid_argument("'" + word +
-                                "' is no protocol; it is exact, window:N (frames, at least 1) or "
-                                "radius:R (metres, above 0)");
+                                "' is no protocol; it is exact, window:N (frames, at least 1), "
+                                "radius:R (metres, above 0) or radius:R,D (pairs up to D metres "
+                                "are neither right nor wrong)");
 }
 
 std::string to_word(const Protocol& protocol)
@@ -53,6 +61,7 @@ std::string to_word(const Protocol& protocol)
             break;
         case Protocol::Kind::radius:
             word << "radius:" << protocol.radius;
+            if (protocol.doubtful_radius > 0) word << ',' << protocol.doubtful_radius;
             break;
     }
     return word.str();
@@ -77,6 +86,9 @@ std::string rule_of(const Protocol& protocol)
                  << protocol.min_age_seconds
                  << " s older than its query; neither right nor wrong when the candidate is "
                     "younger, or a pose is unknown";
+            if (protocol.doubtful_radius > 0)
+                rule << ", or the poses are at most " << protocol.doubtful_radius << " m and "
+                     << 2 * protocol.max_angle_deg << " degrees apart";
             break;
     }
     return rule.str();

@@ -83,7 +83,9 @@ RunEvaluation evaluate_loops(const RunResults& run, const LoopTruth& truth)
     evaluation.similarity_curve = precision_recall_curve(frames, ScoreKind::similarity);
     evaluation.stretches = loop_stretches(frames);
     evaluation.worst_wrong = worst_wrong_pair(frames);
-    if (run.answers) evaluation.candidates = evaluate_candidates(frames, *run.answers, truth);
+    if (!run.answers) return evaluation;
+    evaluation.candidates = evaluate_candidates(frames, *run.answers, truth);
+    evaluation.pairs = judge_pairs(*run.answers, truth);
     return evaluation;
 }
 

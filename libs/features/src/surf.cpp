@@ -38,9 +38,11 @@ bool is_zero(const SurfDescriptor& descriptor)
 
 /** Leaves out keypoints without a descriptor: next to the border, where no wavelet fits. */
 LocalFeatures collect(const std::vector<Keypoint>& keypoints,
-                      const std::vector<SurfDescriptor>& descriptors)
+                      const std::vector<SurfDescriptor>& descriptors,
+                      const cv::Mat& image)
 {
     LocalFeatures features;
+    features.image_size = {image.cols, image.rows};
     features.keypoints.reserve(keypoints.size());
     features.descriptors.reserve(keypoints.size() * LocalFeatures::dimension);
     for (std::size_t i = 0; i < keypoints.size(); ++i)
@@ -75,7 +77,7 @@ LocalFeatures SurfExtractor::extract(const cv::Mat& image) const
                          keypoints[i].angle = dominant_orientation(integral, keypoints[i]);
                      descriptors[i] = surf_descriptor(integral, keypoints[i]);
                  });
-    return collect(keypoints, descriptors);
+    return collect(keypoints, descriptors, image);
 }
 
 }  // namespace fild

@@ -6,7 +6,6 @@
 
 #include <opencv2/calib3d.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -58,16 +57,6 @@ Verification without_motion(const std::vector<PixelPosition>& query,
     return result;
 }
 
-/** See TVerificationOptions::min_weighed_inliers. */
-double weighed_inliers(std::size_t inliers, std::size_t matches)
-{
-    constexpr std::size_t kMatchesOfAnyModel = 7;
-    if (inliers <= kMatchesOfAnyModel) return 0;
-    const auto beyond = static_cast<double>(inliers - kMatchesOfAnyModel);
-    const double share = beyond / static_cast<double>(matches - kMatchesOfAnyModel);
-    return beyond * share * share;
-}
-
 std::vector<cv::Point2f> to_points(const std::vector<PixelPosition>& pixels)
 {
     std::vector<cv::Point2f> points;
@@ -96,8 +85,8 @@ Verification FundamentalVerifier::verify(const MatchedPixels& matched) const
     }
     auto result = fit(matched);
     if (result.rejection != Rejection::none) return result;
-    result.support = support_of(result.inliers.size(), matches, matched.keypoints);
-    if (result.support < 1) result.rejection = Rejection::too_few_inliers;
+    if (result.inliers.size() < static_cast<std::size_t>(options_.min_inliers))
+        result.rejection = Rejection::too_few_inliers;
     return result;
 }
 
@@ -115,19 +104,6 @@ Verification FundamentalVerifier::fit(const MatchedPixels& matched) const
     for (std::size_t k = 0; k < is_inlier.size(); ++k)
         if (is_inlier[k] != 0) result.inliers.push_back(k);
     return result;
-}
-
-double FundamentalVerifier::support_of(std::size_t inliers,
-                                       std::size_t matches,
-                                       std::size_t keypoints) const
-{
-    const double by_count = static_cast<double>(inliers) / options_.min_inliers;
-    const double beyond_sparse = std::max(
-        0.0, static_cast<double>(keypoints) - static_cast<double>(options_.sparse_keypoints));
-    const double asked =
-        std::max(options_.min_weighed_inliers, options_.min_weighed_inlier_share * beyond_sparse);
-    if (asked == 0) return by_count;
-    return std::min(by_count, weighed_inliers(inliers, matches) / asked);
 }
 
 }  // namespace fild

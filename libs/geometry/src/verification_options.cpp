@@ -12,9 +12,7 @@ void TVerificationOptions::describe(OptionVisitor& visitor)
                                   {"graph_cut", RansacMethod::graph_cut},
                                   {"magsac", RansacMethod::magsac}});
     visitor.integer("min_inliers", min_inliers, 8, 100000);
-    visitor.real("min_weighed_inliers", min_weighed_inliers, 0, 100000);
-    visitor.real("min_weighed_inlier_share", min_weighed_inlier_share, 0, 1);
-    visitor.integer("sparse_keypoints", sparse_keypoints, 0, 1000000);
+    visitor.flag("one_shape", one_shape);
     visitor.real("max_epipolar_error_px", max_epipolar_error_px, 0.1, 100);
     visitor.real("confidence", confidence, 0.5, 0.999999);
     visitor.integer("max_iterations", max_iterations, 10, 1000000);

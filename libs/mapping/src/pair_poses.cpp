@@ -38,8 +38,7 @@ TDetectorOptions without_doubt(const TDetectorOptions& options)
     auto changed = options;
     auto& verification = changed.verification;
     verification.min_inliers = std::min(verification.min_inliers, options.relative_pose.min_points);
-    verification.min_weighed_inliers = 0;
-    verification.min_weighed_inlier_share = 0;
+    changed.same_place.enabled = false;
     changed.relative_pose.min_inlier_share /= 2;
     return changed;
 }

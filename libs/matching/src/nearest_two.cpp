@@ -100,15 +100,6 @@ std::vector<std::uint64_t> to_blocks(const BinaryCodes& codes, std::size_t words
 }
 }  // namespace
 
-__attribute__((target_clones("default", "popcnt"))) int hamming_distance(const std::uint64_t* a,
-                                                                         const std::uint64_t* b,
-                                                                         std::size_t words)
-{
-    int bits = 0;
-    for (std::size_t w = 0; w < words; ++w) bits += __builtin_popcountll(a[w] ^ b[w]);
-    return bits;
-}
-
 bool NearestCodes::can_compare_eight()
 {
 #ifdef __x86_64__

@@ -33,9 +33,6 @@ struct NearestTwo
     }
 };
 
-/** Hamming distance of two codes of `words` words, bits. */
-int hamming_distance(const std::uint64_t* a, const std::uint64_t* b, std::size_t words);
-
 /** Finds the nearest of many codes. Compares eight at a time where the processor can count bits so
  *  (AVX-512 VPOPCNTDQ), with the same result. Const members may run concurrently. */
 class NearestCodes

@@ -136,4 +136,27 @@ std::string sweep_wrong_loops_csv(const SweepReport& report)
     return out.str();
 }
 
+std::string sweep_pairs_csv(const SweepReport& report)
+{
+    auto out = begin_csv(report);
+    out << "seed,frame,candidate,rank,matches,inliers";
+    for (std::size_t k = 0; k < kEvidenceKinds; ++k) out << ',' << to_word(static_cast<Evidence>(k));
+    out << ",against_chance,against_look_alike,truth\n";
+    for (const auto& point : report.points)
+        for (std::size_t i = 0; i < point.runs.size(); ++i)
+            for (const auto& [query, considered, judgement] : point.runs[i].pairs)
+            {
+                write_values(out, point);
+                out << point.seeds[i] << ',' << to_index(query) << ','
+                    << to_index(considered.candidate.frame) << ',' << considered.rank << ','
+                    << considered.matches << ',' << considered.inliers;
+                for (const double share : considered.evidence) out << ',' << share;
+                out << ',' << considered.odds->against_chance << ','
+                    << considered.odds->against_look_alike << ',';
+                if (judgement != Judgement::neither) out << (judgement == Judgement::right ? 1 : 0);
+                out << '\n';
+            }
+    return out.str();
+}
+
 }  // namespace fild

@@ -48,6 +48,7 @@ std::vector<std::string> cells_of(const SweepPoint& point);
 std::string sweep_csv(const SweepReport& report);
 std::string sweep_runs_csv(const SweepReport& report);
 std::string sweep_wrong_loops_csv(const SweepReport& report);
+std::string sweep_pairs_csv(const SweepReport& report);
 std::string sweep_tex(const SweepReport& report);
 std::string sweep_svg(const SweepReport& report);
 

@@ -142,6 +142,7 @@ void write_sweep(const SweepReport& report, const std::string& folder)
     const auto path = make_folder(folder);
     write_text_file(path / "sweep_runs.csv", sweep_runs_csv(report));
     write_text_file(path / "sweep_wrong_loops.csv", sweep_wrong_loops_csv(report));
+    write_text_file(path / "sweep_pairs.csv", sweep_pairs_csv(report));
     write_text_file(path / "sweep.tex", sweep_tex(report));
     write_text_file(path / "sweep.svg", sweep_svg(report));
     write_text_file(path / "sweep.csv", sweep_csv(report));

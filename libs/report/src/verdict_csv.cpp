@@ -79,6 +79,19 @@ void write_direction(std::ostream& out, const LoopRow& loop)
     else
         for (const double each : loop.unscaled->direction) out << ',' << fixed6(each);
 }
+
+/** Empty fields where there is no evidence. */
+void write_evidence(std::ostream& out, const ConsideredCandidate& entry)
+{
+    if (!entry.odds)
+    {
+        out << std::string(kEvidenceKinds + 2, ',');
+        return;
+    }
+    for (const double share : entry.evidence) out << ',' << fixed6(share);
+    out << ',' << fixed6(entry.odds->against_chance) << ','
+        << fixed6(entry.odds->against_look_alike);
+}
 }  // namespace
 
 VerdictCsv::VerdictCsv(const std::string& path) : file_(path)
@@ -112,22 +125,28 @@ void LoopCsv::add(const FrameVerdict& verdict, const std::string& depth_source, 
 
 CandidateCsv::CandidateCsv(const std::string& path) : file_(path)
 {
-    file_.stream() << "frame,rank,candidate,similarity,checked,matches,inliers,rejection,support\n";
+    auto& out = file_.stream();
+    out << "frame,rank,candidate,similarity,checked,matches,inliers,rejection,support";
+    for (std::size_t k = 0; k < kEvidenceKinds; ++k)
+        out << ',' << to_word(static_cast<Evidence>(k));
+    out << ",against_chance,against_look_alike\n";
 }
 
 void CandidateCsv::add(FrameId frame, const std::vector<ConsideredCandidate>& considered)
 {
     auto& out = file_.stream();
-    for (const auto& [candidate, rank, checked, matches, inliers, support, rejection] : considered)
+    for (const auto& entry : considered)
     {
         out << to_index(frame) << ',';
-        if (rank > 0) out << rank;
-        out << ',' << to_index(candidate.frame) << ',' << fixed6(candidate.similarity) << ','
-            << (checked ? 1 : 0) << ',';
-        if (checked)
-            out << matches << ',' << inliers << ',' << to_word(rejection) << ',' << fixed6(support);
+        if (entry.rank > 0) out << entry.rank;
+        out << ',' << to_index(entry.candidate.frame) << ',' << fixed6(entry.candidate.similarity)
+            << ',' << (entry.checked ? 1 : 0) << ',';
+        if (entry.checked)
+            out << entry.matches << ',' << entry.inliers << ',' << to_word(entry.rejection) << ','
+                << fixed6(entry.support);
         else
             out << ",,,";
+        write_evidence(out, entry);
         out << '\n';
     }
 }

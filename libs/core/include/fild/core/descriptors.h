@@ -22,6 +22,12 @@ struct Keypoint
     std::int8_t laplacian_sign = 0;  ///< +1 dark blob on light, -1 light on dark
 };
 
+struct ImageSize
+{
+    int width = 0;  ///< pixels
+    int height = 0;  ///< pixels
+};
+
 /** Keypoints of an image and their descriptors, row i of `descriptors` (keypoints.size() x
  * dimension, row-major, each of unit L2 norm) belonging to keypoints[i]. */
 struct LocalFeatures
@@ -30,17 +36,31 @@ struct LocalFeatures
 
     std::vector<Keypoint> keypoints;
     std::vector<float> descriptors;
+    ImageSize image_size;
 
     std::size_t size() const { return keypoints.size(); }
     const float* descriptor(std::size_t i) const { return descriptors.data() + i * dimension; }
 };
 
-/** Position of a keypoint in its image, pixels: all that is kept of it once it is hashed. */
+/** Position of a keypoint in its image, pixels. */
 struct PixelPosition
 {
     float x = 0;
     float y = 0;
 };
+
+/** Size and orientation of a keypoint in two bytes, which is what the map keeps of them. */
+struct KeypointShape
+{
+    static constexpr int kStepsPerOctave = 16;
+    static constexpr int kStepsPerTurn = 256;
+
+    std::uint8_t size = 0;  ///< kStepsPerOctave x log2 of the diameter in pixels
+    std::uint8_t angle = 0;  ///< kStepsPerTurn-ths of a turn, from the x axis towards the y axis
+};
+
+/** Rounded; sizes below 1 pixel count as 1. */
+KeypointShape shape_of(const Keypoint& keypoint);
 
 /** Two pixels taken for the same point of the scene. */
 struct PixelPair
@@ -71,11 +91,17 @@ struct BinaryCodes
     std::size_t stride() const { return static_cast<std::size_t>(words_per_code); }
 };
 
-/** What the map keeps of a frame for the verification of later loops. */
+/** Hamming distance of two codes of `words` words, bits. */
+int hamming_distance(const std::uint64_t* a, const std::uint64_t* b, std::size_t words);
+
+/** What the map keeps of a frame for the verification of later loops. Keypoint i has position i,
+ *  shape i and code i; the strongest keypoints come first. */
 struct HashedFeatures
 {
     std::vector<PixelPosition> positions;
     BinaryCodes codes;
+    std::vector<KeypointShape> shapes{};
+    ImageSize image_size{};
 };
 
 /** Two local features taken for the same point of the scene. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/pair_evidence.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -35,8 +37,10 @@ enum class Rejection
     too_few_matches,  ///< fewer matches than a fundamental matrix needs, or than the inliers asked
                       ///< for
     no_model,  ///< RANSAC found no fundamental matrix
-    too_few_inliers,  ///< fewer than tau, or they weigh too little
-    not_consistent_yet  ///< verified, but not beta frames in a row
+    too_few_inliers,  ///< fewer than tau
+    may_be_chance,  ///< the evidence does not rule out that the inliers agree by chance
+    may_be_look_alike,  ///< nor that two places look alike
+    not_consistent_yet  ///< the pair convinces, but not enough frames about it
 };
 
 /** The word that stands in frames.csv; empty for Rejection::none. */
@@ -59,12 +63,13 @@ struct FrameVerdict
     double timestamp = 0;  ///< seconds since the UNIX epoch
     std::string sensor_label;
     std::size_t keypoints = 0;
-    /** The verified candidate when one was verified, else the one that came furthest. */
+    /** The candidate with the best evidence, verified or not. */
     std::optional<Candidate> candidate;
     std::size_t matches = 0;  ///< after the ratio test, with `candidate`
     std::size_t inliers = 0;  ///< of those, in agreement with the fundamental matrix
-    double support =
-        0;  ///< for `candidate`, as a multiple of what is asked for: verified from 1 on
+    /** With [same_place] the probability that the frame shows the place of `candidate`, accepted
+     *  from min_probability on; without it inliers / min_inliers, verified from 1 on. */
+    double support = 0;
     Rejection rejection = Rejection::none;
 
     bool accepted() const { return rejection == Rejection::none; }
@@ -78,8 +83,11 @@ struct ConsideredCandidate
     bool checked = false;  ///< matched and verified; else what follows says nothing
     std::size_t matches = 0;
     std::size_t inliers = 0;
+    /** As FrameVerdict::support, but of the pair alone, whatever the frames about it say. */
     double support = 0;
     Rejection rejection = Rejection::none;  ///< none: verified
+    EvidenceValues evidence{};  ///< with `odds`
+    std::optional<PairOdds> odds{};  ///< none: [same_place] is off, or there are too few inliers
 };
 
 }  // namespace fild

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fild/core/options.h"
+#include "fild/detector/same_place_model.h"
 #include "fild/features/global_descriptor_options.h"
 #include "fild/features/local_feature_options.h"
 #include "fild/geometry/depth_options.h"
@@ -27,9 +28,8 @@ struct TCandidateOptions : Options
      *  for as long as one of the next so many is better: the nearest descriptor along a street is
      *  often that of a frame some metres off. 0: none. */
     int neighbour_reach = 0;
-    /** The place where the last verified frame was is a candidate too, for so many frames: who has
-     *  come back to a street follows it for a while. 0: it is not. */
-    int place_memory = 0;
+    /** The place that the belief of [consistency] holds for the likeliest is a candidate, too. */
+    bool follow_belief = false;
     /** Candidates are verified, most promising first, until one is good; otherwise all are, and the
      *  best counts. */
     bool stop_at_first = false;
@@ -38,9 +38,20 @@ struct TCandidateOptions : Options
     void describe(OptionVisitor& visitor) override;
 };
 
-/** Section [consistency]: when verified frames in a row make a loop closure. */
+/** Section [consistency]: what the frames before say of a frame's candidate. */
 struct TConsistencyOptions : Options
 {
+    /** true: a belief over the places of the map is carried from frame to frame, see PlaceBelief;
+     *  needs [same_place]. false: consecutive_frames, as in the paper. */
+    bool belief = false;
+    double return_probability = 0.2;  ///< that a camera on new ground comes back to a known place
+    double look_alike_share = 0.3;  ///< of what seems to be a return, the part that only looks so
+    double leave_probability = 0.02;  ///< that it leaves the known places again, a frame
+    double jump_probability = 0.05;  ///< that its next place is not near the one before
+    int place_step = 3;  ///< places that it may move along the earlier path in a frame
+    /** How much each frame counts against a look-alike; less than 1, since a look-alike that
+     *  deceives in one frame does so in the next. */
+    double look_alike_weight = 0.5;
     int consecutive_frames = 2;  ///< beta: so many verified frames in a row, the last is accepted
     /** Their candidates must follow one another within this many seconds of the recording, so that
      * a row cannot be made of different wrong places. 0: any candidates, as in the paper. */
@@ -69,6 +80,7 @@ struct TDetectorOptions
     THashingOptions hashing;
     TCandidateOptions candidates;
     TVerificationOptions verification;
+    TSamePlaceOptions same_place;
     TConsistencyOptions consistency;
     TDepthOptions depth;
     TRelativePoseOptions relative_pose;
@@ -76,6 +88,8 @@ struct TDetectorOptions
 
     /** The sections by name, in the order of the pipeline. */
     std::vector<std::pair<std::string, Options*>> sections();
+    /** \throw std::invalid_argument when options of different sections contradict each other. */
+    void check_between_sections() const;
 };
 
 }  // namespace fild

@@ -8,6 +8,7 @@
 #include "fild/detector/frame_describer.h"
 #include "fild/detector/pair_verifier.h"
 #include "fild/detector/place.h"
+#include "fild/detector/place_belief.h"
 #include "fild/detector/temporal_consistency.h"
 #include "fild/geometry/relative_pose.h"
 #include "fild/index/delay_queue.h"
@@ -51,8 +52,8 @@ class LoopDetector
     /** \param global_dimension  length of the global descriptors that will come. */
     LoopDetector(const TDetectorOptions& options, std::size_t global_dimension);
 
-    /** \param times receives "index_insertion", "index_search", "matching", "verification" and
-     *         "relative_pose".
+    /** \param times receives "index_insertion", "index_search", "matching", "verification", "evidence"
+     *         and "relative_pose".
      *  \throw std::invalid_argument when ids do not increase or a descriptor has another length. */
     DetectorOutcome process(FrameDescription description, StageTimes& times);
 
@@ -77,10 +78,12 @@ class LoopDetector
                                      const std::vector<Candidate>& answers) const;
     DetectorOutcome verify(const FrameDescription& query,
                            const Candidate& candidate,
+                           ConsideredCandidate& entry,
                            StageTimes& times) const;
     void follow_neighbours(const FrameDescription& query, Trials& trials) const;
     std::optional<FrameId> neighbour_of(FrameId place, bool later) const;
     void check_consistency(DetectorOutcome& outcome);
+    void ask_belief(DetectorOutcome& outcome);
     void add_pose(DetectorOutcome& outcome, const FrameDescription& query, StageTimes& times) const;
     void remember(FrameDescription description);
 
@@ -93,6 +96,8 @@ class LoopDetector
     PairVerifier pairs_;
     RelativePoseEstimator poses_;
     TemporalConsistency consistency_;
+    std::optional<SamePlaceModel> model_;  ///< none: [same_place] is off
+    std::optional<PlaceBelief> belief_;  ///< none: consecutive frames are counted
 
     std::unordered_map<FrameId, Place> places_;
     std::size_t map_bytes_ = 0;
@@ -100,8 +105,6 @@ class LoopDetector
     std::optional<double> last_timestamp_;
     std::optional<FrameId> last_frame_;
     std::optional<FrameId> last_released_;  ///< by the delay queue
-    std::optional<FrameId> last_place_;  ///< the candidate that was verified last
-    int frames_since_ = 0;  ///< it was
     std::size_t clock_jumps_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "fild/core/verdict.h"
 #include "fild/evaluation/candidates_csv.h"
 #include "fild/evaluation/ground_truth.h"
+#include "fild/evaluation/judged_pair.h"
 #include "fild/evaluation/loop_score.h"
 #include "fild/evaluation/loop_stretch.h"
 #include "fild/evaluation/lost_loop.h"
@@ -73,6 +74,7 @@ struct RunEvaluation
     std::optional<WorstWrongPair> worst_wrong;  ///< none: no candidate was wrong
     std::optional<CandidateEvaluation> candidates;  ///< none: there is no candidates.csv
     std::vector<NamedTrajectoryError> trajectories;
+    std::vector<JudgedPair> pairs;  ///< whose evidence was measured in this process, else empty
 };
 
 /** Scores a run's loop closures. \param truth  of its frames. */

@@ -21,9 +21,6 @@ struct Verification
     /** none when verified, else too_few_matches, no_model or too_few_inliers. */
     Rejection rejection = Rejection::none;
     std::vector<std::size_t> inliers;  ///< indices of the matches that agree, ascending
-    /** What speaks for the pair as a multiple of what is asked for: verified from 1 on. The least
-     * of inliers / min_inliers and weighed inliers / what is asked of those. */
-    double support = 0;
     /** F with candidate' F query = 0 for homogeneous pixels, when RANSAC found one. */
     std::optional<cv::Matx33d> candidate_from_query_f;
 };
@@ -34,7 +31,6 @@ struct MatchedPixels
 {
     std::vector<PixelPosition> query;
     std::vector<PixelPosition> candidate;
-    std::size_t keypoints = 0;  ///< of whichever image has fewer, matched or not
 };
 
 /** Checks that matched pixels of two images are views of one rigid scene: a fundamental matrix by
@@ -54,7 +50,6 @@ class FundamentalVerifier
 
  private:
     Verification fit(const MatchedPixels& matched) const;
-    double support_of(std::size_t inliers, std::size_t matches, std::size_t keypoints) const;
 
     TVerificationOptions options_;
     int random_state_;

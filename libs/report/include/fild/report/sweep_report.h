@@ -38,7 +38,8 @@ struct SweepReport
 std::string to_text(const SweepReport& report, std::size_t max_wrong);
 
 /** Writes into the folder, made if need be, each file whole or not at all: sweep.csv (a row for
- *  each point), sweep_runs.csv (for each point and seed), sweep_wrong_loops.csv, sweep.tex (a table
+ *  each point), sweep_runs.csv (for each point and seed), sweep_wrong_loops.csv, sweep_pairs.csv
+ *  (each pair whose evidence was measured, and the truth about it), sweep.tex (a table
  *  for LaTeX, package booktabs) and sweep.svg (the scores and times over the values of the first
  *  key). \throw std::runtime_error naming what cannot be written. */
 void write_sweep(const SweepReport& report, const std::string& folder);

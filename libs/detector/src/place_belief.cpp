@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/detector/place_belief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+
+namespace fild
+{
+namespace
+{
+constexpr double kLeastEvidence = -1.5;  // log-likelihood ratio of places that were not compared
+constexpr int kReach = 3;  // places about a compared one that its evidence counts for ...
+constexpr double kLossPerPlace = 0.3;  // ... less with the distance
+
+/** Each place's belief spread evenly over those up to `step` before and after it. */
+std::vector<double> spread(const std::vector<double>& belief, int step)
+{
+    const auto reach = static_cast<std::size_t>(step);
+    std::vector<double> sums(belief.size() + 1, 0);
+    std::partial_sum(belief.begin(), belief.end(), sums.begin() + 1);
+    std::vector<double> moved(belief.size());
+    for (std::size_t i = 0; i < belief.size(); ++i)
+    {
+        const auto first = i < reach ? 0 : i - reach;
+        const auto end = std::min(belief.size(), i + reach + 1);
+        moved[i] = (sums[end] - sums[first]) / static_cast<double>(2 * reach + 1);
+    }
+    return moved;
+}
+
+double sum_of(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+}  // namespace
+
+PlaceBelief::PlaceBelief(const TConsistencyOptions& options) : options_(options)
+{
+    options_.check();
+}
+
+void PlaceBelief::add_place(FrameId frame)
+{
+    places_of_frames_.emplace(frame, frames_.size());
+    frames_.push_back(frame);
+    at_.same.push_back(0);
+    at_.look_alike.push_back(0);
+}
+
+double PlaceBelief::update(const std::vector<ComparedPlace>& compared)
+{
+    std::vector<std::size_t> entrances;
+    for (const auto& place : compared) entrances.push_back(places_of_frames_.at(place.frame));
+    move(entrances);
+    weigh(compared);
+    return sum_of_same();
+}
+
+void PlaceBelief::move(const std::vector<std::size_t>& entrances)
+{
+    auto same = spread(at_.same, options_.place_step);
+    auto look_alike = spread(at_.look_alike, options_.place_step);
+    const double all_same = sum_of(same);
+    const double all_look_alike = sum_of(look_alike);
+    const double jump = entrances.empty() ? 0 : options_.jump_probability;
+    const double entering = entrances.empty() ? 0 : options_.return_probability * new_ground_;
+    const double stay = 1 - options_.leave_probability - jump;
+    for (auto& each : same) each *= stay;
+    for (auto& each : look_alike) each *= stay;
+    for (const auto i : entrances)
+    {
+        const auto share = 1 / static_cast<double>(entrances.size());
+        same[i] += share * ((1 - options_.look_alike_share) * entering + jump * all_same);
+        look_alike[i] += share * (options_.look_alike_share * entering + jump * all_look_alike);
+    }
+    new_ground_ += options_.leave_probability * (all_same + all_look_alike) - entering;
+    at_ = {std::move(same), std::move(look_alike)};
+}
+
+void PlaceBelief::weigh(const std::vector<ComparedPlace>& compared)
+{
+    std::vector<double> same(frames_.size(), std::exp(kLeastEvidence));
+    auto look_alike = same;
+    for (const auto& [frame, odds] : compared)
+    {
+        if (!odds) continue;
+        const double against_look_alike = options_.look_alike_weight * odds->against_look_alike;
+        const auto place = static_cast<long>(places_of_frames_.at(frame));
+        const long last = std::min(place + kReach, static_cast<long>(frames_.size()) - 1);
+        for (long i = std::max(0L, place - kReach); i <= last; ++i)
+        {
+            const auto k = static_cast<std::size_t>(i);
+            const auto distance = static_cast<double>(std::abs(i - place));
+            const double here = std::exp(odds->against_chance - kLossPerPlace * distance);
+            if (here <= same[k]) continue;
+            same[k] = here;
+            look_alike[k] = here * std::exp(-against_look_alike);
+        }
+    }
+    std::transform(
+        at_.same.begin(), at_.same.end(), same.begin(), at_.same.begin(), std::multiplies<>());
+    std::transform(at_.look_alike.begin(),
+                   at_.look_alike.end(),
+                   look_alike.begin(),
+                   at_.look_alike.begin(),
+                   std::multiplies<>());
+    const double total = sum_of(at_.same) + sum_of(at_.look_alike) + new_ground_;
+    for (auto& each : at_.same) each /= total;
+    for (auto& each : at_.look_alike) each /= total;
+    new_ground_ /= total;
+}
+
+double PlaceBelief::sum_of_same() const
+{
+    return sum_of(at_.same);
+}
+
+std::optional<FrameId> PlaceBelief::likeliest() const
+{
+    if (sum_of_same() <= 0.5) return std::nullopt;
+    const auto likeliest = std::max_element(at_.same.begin(), at_.same.end());
+    return frames_[static_cast<std::size_t>(likeliest - at_.same.begin())];
+}
+
+}  // namespace fild

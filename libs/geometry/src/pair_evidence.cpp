@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/geometry/pair_evidence.h"
+
+#include "fild/geometry/shape_agreement.h"
+#include "keypoint_grid.h"
+
+#include <opencv2/calib3d.hpp>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+namespace fild
+{
+namespace
+{
+// All lengths are shares of the image's diagonal.
+constexpr double kAffineError = 0.03;  // of an inlier from where the affine map takes it
+constexpr double kNearInlier = 0.08;  // keypoints further from any inlier are not predicted
+constexpr double kSearchRadius = 0.025;  // about the predicted position
+constexpr double kBorder = 0.03;  // of the image's sides, where keypoints are missed
+constexpr double kMaxScale = 5;
+constexpr double kSearchOctaves = 0.7;
+constexpr double kSmallestSizePx = 10;  // a keypoint that would be smaller is not expected
+constexpr double kCloseBits = 0.1;  // share of a code's bits
+constexpr double kSimilarBits = 0.235;
+
+double share(std::size_t part, std::size_t whole)
+{
+    return (static_cast<double>(part) + 1) / (static_cast<double>(whole) + 3);
+}
+
+double diagonal(const ImageSize& size)
+{
+    return std::hypot(size.width, size.height);
+}
+
+bool is_inside(const PixelPosition& p, const ImageSize& size)
+{
+    const auto x = static_cast<double>(p.x);
+    const auto y = static_cast<double>(p.y);
+    return x >= kBorder * size.width && y >= kBorder * size.height &&
+           x < (1 - kBorder) * size.width && y < (1 - kBorder) * size.height;
+}
+
+double squared_distance(const PixelPosition& a, const PixelPosition& b)
+{
+    const double dx = static_cast<double>(a.x) - static_cast<double>(b.x);
+    const double dy = static_cast<double>(a.y) - static_cast<double>(b.y);
+    return dx * dx + dy * dy;
+}
+
+/** Takes positions of one image to the other: by the nearest of the pairs that are known, and a
+ *  linear map for the way from it. */
+class LocalMap
+{
+ public:
+    LocalMap(std::vector<PixelPosition> from, std::vector<PixelPosition> to, cv::Matx22d linear)
+        : from_(std::move(from)), to_(std::move(to)), linear_(linear)
+    {
+    }
+
+    struct Prediction
+    {
+        PixelPosition position;
+        double squared_distance = 0;  ///< of the nearest known pair, pixels^2
+    };
+
+    Prediction operator()(const PixelPosition& p) const
+    {
+        std::size_t nearest = 0;
+        double least = squared_distance(p, from_.front());
+        for (std::size_t k = 1; k < from_.size(); ++k)
+            if (const double d = squared_distance(p, from_[k]); d < least)
+            {
+                least = d;
+                nearest = k;
+            }
+        const cv::Vec2d way(static_cast<double>(p.x - from_[nearest].x),
+                            static_cast<double>(p.y - from_[nearest].y));
+        const cv::Vec2d moved = linear_ * way;
+        return {{to_[nearest].x + static_cast<float>(moved[0]),
+                 to_[nearest].y + static_cast<float>(moved[1])},
+                least};
+    }
+
+    double scale() const { return std::sqrt(std::abs(cv::determinant(linear_))); }
+
+    LocalMap inverse() const { return {to_, from_, linear_.inv()}; }
+
+ private:
+    std::vector<PixelPosition> from_;
+    std::vector<PixelPosition> to_;
+    cv::Matx22d linear_;
+};
+
+/** The inliers as one affine map sees them. */
+struct AffineFit
+{
+    std::size_t agreeing = 0;
+    std::optional<LocalMap> map;  ///< candidate from query
+};
+
+AffineFit fit_affine(const MatchedPair& pair)
+{
+    std::vector<PixelPosition> from;
+    std::vector<PixelPosition> to;
+    std::vector<cv::Point2f> query;
+    std::vector<cv::Point2f> candidate;
+    for (const auto& match : pair.inliers)
+    {
+        from.push_back(pair.query.positions[match.query]);
+        to.push_back(pair.candidate.positions[match.candidate]);
+        query.emplace_back(from.back().x, from.back().y);
+        candidate.emplace_back(to.back().x, to.back().y);
+    }
+    if (from.size() < 3) return {};
+    std::vector<unsigned char> agrees;
+    const cv::Mat affine =
+        cv::estimateAffine2D(query,
+                             candidate,
+                             agrees,
+                             cv::RANSAC,
+                             kAffineError * diagonal(pair.candidate.image_size),
+                             500,
+                             0.99,
+                             5);
+    if (affine.empty()) return {};
+    AffineFit fit{static_cast<std::size_t>(cv::countNonZero(agrees)), std::nullopt};
+    const cv::Matx23d m(affine);
+    LocalMap map(std::move(from), std::move(to), {m(0, 0), m(0, 1), m(1, 0), m(1, 1)});
+    if (map.scale() > 1 / kMaxScale && map.scale() < kMaxScale) fit.map = std::move(map);
+    return fit;
+}
+
+std::size_t matches_in_overlap(const MatchedPair& pair, const LocalMap& map)
+{
+    const auto back = map.inverse();
+    std::size_t seen = 0;
+    for (const auto& match : pair.matches)
+    {
+        const auto there = map(pair.query.positions[match.query]).position;
+        const auto here = back(pair.candidate.positions[match.candidate]).position;
+        if (is_inside(there, pair.candidate.image_size) && is_inside(here, pair.query.image_size))
+            ++seen;
+    }
+    return seen;
+}
+
+/** Looks for the query's strong keypoints, the first half, where the map says they should be. */
+double confirmed_share(const MatchedPair& pair, const LocalMap& map)
+{
+    const auto& [query, candidate, matches, inliers] = pair;
+    const double near = kNearInlier * diagonal(query.image_size);
+    const KeypointGrid grid(candidate, kSearchRadius * diagonal(candidate.image_size));
+    const double octaves = std::log2(map.scale());
+    const int size_steps = static_cast<int>(std::lround(octaves * KeypointShape::kStepsPerOctave));
+    const int smallest = static_cast<int>(std::log2(kSmallestSizePx) * KeypointShape::kStepsPerOctave);
+    std::size_t expected = 0;
+    std::size_t confirmed = 0;
+    for (std::size_t k = 0; k < (query.positions.size() + 1) / 2; ++k)
+    {
+        const int size = int{query.shapes[k].size} + size_steps;
+        if (size < smallest) continue;
+        const auto predicted = map(query.positions[k]);
+        if (predicted.squared_distance > near * near ||
+            !is_inside(predicted.position, candidate.image_size))
+            continue;
+        ++expected;
+        const KeypointGrid::Wanted wanted{
+            predicted.position,
+            size,
+            static_cast<int>(kSearchOctaves * KeypointShape::kStepsPerOctave),
+            query.codes.code(k),
+            static_cast<int>(kSimilarBits * query.codes.bits)};
+        if (grid.has(wanted)) ++confirmed;
+    }
+    return share(confirmed, expected);
+}
+
+void require_shapes(const HashedFeatures& features)
+{
+    if (features.shapes.size() != features.positions.size() ||
+        features.codes.size() != features.positions.size())
+        throw std::invalid_argument("measure_evidence: keypoints without shape or code");
+}
+
+/** Matches at a tenth of the bits or less. */
+std::size_t count_close(const std::vector<Match>& matches, int bits)
+{
+    std::size_t close = 0;
+    for (const auto& match : matches)
+        close += match.distance_bits <= kCloseBits * bits ? 1U : 0U;
+    return close;
+}
+}  // namespace
+
+EvidenceValues measure_evidence(const MatchedPair& pair)
+{
+    const auto& [query, candidate, matches, inliers] = pair;
+    require_shapes(query);
+    require_shapes(candidate);
+    const auto keypoints = std::min(query.positions.size(), candidate.positions.size());
+    const auto close = count_close(matches, query.codes.bits);
+    const auto shape = dominant_shape(inliers, query.shapes, candidate.shapes, {});
+    const auto affine = fit_affine(pair);
+    EvidenceValues values{};
+    const auto set = [&](Evidence kind, double value) { values[to_index(kind)] = value; };
+    set(Evidence::inlier_share, share(inliers.size(), matches.size()));
+    set(Evidence::shape_share, share(shape.agreeing, inliers.size()));
+    set(Evidence::affine_share, share(affine.agreeing, inliers.size()));
+    set(Evidence::match_share, share(matches.size(), keypoints));
+    set(Evidence::close_inlier_share, share(count_close(inliers, query.codes.bits), close));
+    set(Evidence::close_share, share(close, matches.size()));
+    set(Evidence::overlap_share,
+        share(affine.map ? matches_in_overlap(pair, *affine.map) : matches.size(), matches.size()));
+    set(Evidence::confirmed_share,
+        affine.map ? confirmed_share(pair, *affine.map) : share(keypoints, keypoints));
+    return values;
+}
+
+}  // namespace fild
