@@ -145,7 +145,7 @@ TEST(FrameBuilder, MarksFramesThatCannotBeUsedAndKeepsTheirIds)
     EXPECT_EQ(defect_of(builder, at(draw_image(CV_16UC1), 1)), Rejection::unsupported_image);
     EXPECT_EQ(defect_of(builder, at(draw_image(), 2)), Rejection::none);
     EXPECT_EQ(defect_of(builder, at(draw_image(), 2)), Rejection::repeated_timestamp);
-    EXPECT_EQ(defect_of(builder, at(draw_image(CV_8UC1, 0, {32, 24}), 3)),
+    EXPECT_EQ(defect_of(builder, at(draw_image(CV_8UC1, 0, {24, 32}), 3)),
               Rejection::image_size_changed);
     EXPECT_EQ(defect_of(builder, at(draw_image(CV_32FC1), 4)), Rejection::unsupported_image);
     EXPECT_EQ(defect_of(builder, at(cv::Mat(), 5)), Rejection::missing_image);
