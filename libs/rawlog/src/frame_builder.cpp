@@ -158,9 +158,12 @@ void FrameBuilder::State::calibrate(const CameraView& view, Frame& frame)
                                  " pixels, its images have " + to_text(frame.image.size()) +
                                  "; set [input] camera_parameters for that size");
     frame.camera = fitting;
-    if (!frame.camera || !options.undistort) return;
+    if (!frame.camera) return;
     if (has_distortion(*frame.camera))
+    {
+        if (!options.undistort) return;
         frame.image = undistorter.undistort(frame.image, *frame.camera);
+    }
     frame.camera->lens = LensModel::none;
     frame.camera->distortion.fill(0);
 }

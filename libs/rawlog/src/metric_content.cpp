@@ -46,7 +46,8 @@ bool is_registered(const CObservation3DRangeScan& scan)
     const auto& a = scan.cameraParams;
     const auto& b = scan.cameraParamsIntensity;
     return scan.doDepthAndIntensityCamerasCoincide() && a.intrinsicParams == b.intrinsicParams &&
-           a.dist == b.dist && a.ncols == b.ncols && a.nrows == b.nrows;
+           a.distortion == b.distortion && a.dist == b.dist && a.ncols == b.ncols &&
+           a.nrows == b.nrows;
 }
 
 /** Zeros, which stand for no reading in MRPT, become NaN. */
