@@ -136,6 +136,20 @@ TEST(Undistortion, FollowsACameraThatChanges)
     EXPECT_LT(largest_offset(builder.build(*seen_through(kFisheye, 1)).image), 0.25);
 }
 
+TEST(Undistortion, OfCamerasInTurnsIsByTheirOwnLenses)
+{
+    TInputOptions options;
+    options.sensor_label = "LEFT|RIGHT";
+    FrameBuilder builder(options, "run.rawlog");
+    for (int i = 0; i < 3; ++i)
+        for (const bool is_left : {true, false})
+        {
+            const auto observation = seen_through(is_left ? kPlumbBob : kFisheye, i);
+            observation->sensorLabel = is_left ? "LEFT" : "RIGHT";
+            EXPECT_LT(largest_offset(builder.build(*observation).image), 0.25);
+        }
+}
+
 TEST(Undistortion, IsLeftOutWhereToldSo)
 {
     TInputOptions options;

@@ -84,12 +84,12 @@ struct FrameBuilder::State
     TInputOptions options;
     CameraLabels labels;
     ImageStore store;
-    Undistorter undistorter;
     std::optional<CameraModel> override_camera;
     std::optional<MetricContent> metric;  ///< when metric content is asked for
-    /** What the next image of a camera is held against. */
+    /** What is kept from one image of a camera to the next. */
     struct Camera
     {
+        Undistorter undistorter;
         std::optional<cv::Size> image_size;
         std::optional<double> previous_stamp;
     };
@@ -162,7 +162,8 @@ void FrameBuilder::State::calibrate(const CameraView& view, Frame& frame)
     if (has_distortion(*frame.camera))
     {
         if (!options.undistort) return;
-        frame.image = undistorter.undistort(frame.image, *frame.camera);
+        frame.image =
+            cameras.at(frame.sensor_label).undistorter.undistort(frame.image, *frame.camera);
     }
     frame.camera->lens = LensModel::none;
     frame.camera->distortion.fill(0);

@@ -115,7 +115,9 @@ std::string MetricContent::add_right(Frame& frame,
         throw std::runtime_error("the calibration of the right camera of '" + frame.sensor_label +
                                  "' is for another image size than its images have; set [input] "
                                  "camera_parameters for that size");
-    right.image = has_distortion(*camera) ? right_undistorter_.undistort(*image, *camera) : *image;
+    right.image = has_distortion(*camera)
+                      ? undistorters_[frame.sensor_label].undistort(*image, *camera)
+                      : *image;
     right.camera = without_distortion(*camera);
     frame.right = std::move(right);
     return "";
@@ -158,7 +160,7 @@ cv::Mat MetricContent::depth_on_image(const Frame& frame,
     if (!camera) return {};
     auto straight = ranges;
     if (has_distortion(*camera))
-        straight = depth_undistorter_.undistort(ranges, *camera, cv::INTER_NEAREST);
+        straight = undistorters_[frame.sensor_label].undistort(ranges, *camera, cv::INTER_NEAREST);
     const auto pinhole = without_distortion(*camera);
     if (!scan.range_is_depth) straight = depth_from_ranges(straight, pinhole);
     if (registered) return with_nan(straight);

@@ -5,6 +5,7 @@
 #include "image_store.h"
 #include "undistorter.h"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -54,8 +55,7 @@ class MetricContent
     const ImageStore& store_;
     bool undistort_;
     std::optional<CameraModel> override_camera_;
-    Undistorter right_undistorter_;
-    Undistorter depth_undistorter_;
+    std::map<std::string, Undistorter> undistorters_;  ///< of right or depth images, by label
 };
 
 }  // namespace fild
