@@ -121,12 +121,12 @@ std::vector<FrameVerdict> frames_of(const SweepRequest& request, const TInputOpt
                    builder,
                    [&](const mrpt::obs::CObservation& observation, double)
                    {
+                       const auto skipped = builder.skip(observation);
                        FrameVerdict frame;
-                       frame.frame = builder.next_id();
-                       frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
-                       frame.sensor_label = observation.sensorLabel;
+                       frame.frame = skipped.id;
+                       frame.timestamp = skipped.timestamp;
+                       frame.sensor_label = skipped.sensor_label;
                        frames.push_back(frame);
-                       builder.skip(observation);
                    });
     throw_if_interrupted();
     if (frames.empty())

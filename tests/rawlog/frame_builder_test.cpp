@@ -153,6 +153,20 @@ TEST(FrameBuilder, MarksFramesThatCannotBeUsedAndKeepsTheirIds)
     EXPECT_EQ(to_index(builder.next_id()), 7U);
 }
 
+TEST(FrameBuilder, GivesAFrameWithoutATimeStampThatOfTheFrameBefore)
+{
+    auto builder = default_builder();
+    const auto unstamped = image_observation(draw_image(), 0);
+    unstamped->timestamp = INVALID_TIMESTAMP;
+    EXPECT_EQ(builder.build(*unstamped).timestamp, 0);
+    EXPECT_EQ(defect_of(builder, unstamped), Rejection::none) << "no stamp is no repeated stamp";
+    builder.build(*image_observation(draw_image(), 7));
+    EXPECT_EQ(builder.build(*unstamped).timestamp, 7);
+    EXPECT_EQ(defect_of(builder, image_observation(draw_image(), 7)),
+              Rejection::repeated_timestamp);
+    EXPECT_EQ(defect_of(builder, image_observation(draw_image(), 8)), Rejection::none);
+}
+
 TEST(FrameBuilder, DropsAlpha)
 {
     auto builder = default_builder();

@@ -136,7 +136,7 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
     if (description.defect != Rejection::none)
         return {verdict_of(description, description.defect), {}, {}, {}};
 
-    const double now = advance_clock(description.timestamp);
+    const double now = clock_.advance(description.sensor_label, description.timestamp);
     insert_released(queue_.push({description.frame, now, description.global}), times);
     auto outcome = find_loop(description, times);
     check_consistency(outcome);
@@ -144,15 +144,6 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
     outcome.global = description.global;
     remember(std::move(description));
     return outcome;
-}
-
-double LoopDetector::advance_clock(double timestamp)
-{
-    const double step = last_timestamp_ ? timestamp - *last_timestamp_ : 0;
-    if (step < 0) ++clock_jumps_;
-    last_timestamp_ = timestamp;
-    clock_ += std::max(step, 0.0);
-    return clock_;
 }
 
 void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& released,

@@ -103,9 +103,14 @@ Frame FrameBuilder::State::begin(const CObservation& observation)
 {
     Frame frame;
     frame.id = FrameId{count++};
-    frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
     frame.sensor_label = observation.sensorLabel;
     auto& previous_stamp = cameras[frame.sensor_label].previous_stamp;
+    if (observation.timestamp == INVALID_TIMESTAMP)
+    {
+        frame.timestamp = previous_stamp.value_or(0);
+        return frame;
+    }
+    frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
     if (frame.timestamp == previous_stamp) frame.defect = Rejection::repeated_timestamp;
     previous_stamp = frame.timestamp;
     return frame;
@@ -210,15 +215,16 @@ Frame FrameBuilder::build(const CObservation& observation)
     return frame;
 }
 
-void FrameBuilder::skip(const CObservation& observation)
+Frame FrameBuilder::skip(const CObservation& observation)
 {
-    const auto frame = state_->begin(observation);
+    auto frame = state_->begin(observation);
     auto& first_size = state_->cameras[frame.sensor_label].image_size;
     const auto view = camera_view_of(observation);
-    if (first_size || frame.defect != Rejection::none || !view) return;
+    if (first_size || frame.defect != Rejection::none || !view) return frame;
     const auto stored = state_->store.load(view->image);
     if (const auto image = stored ? as_grey_or_bgr(*stored) : std::nullopt)
         first_size = image->size();
+    return frame;
 }
 
 FrameId FrameBuilder::next_id() const

@@ -55,7 +55,8 @@ class FrameBuilder
     /** The frame of an accepted observation. One that cannot be used has Frame::defect:
      *  missing_image, unsupported_image, image_size_changed (it cannot be brought to the size of
      *  this camera's first image) or repeated_timestamp (of this camera's observation before; its
-     *  image is not read).
+     *  image is not read). An observation without a time stamp takes that of this camera's frame
+     *  before; 0 when there is none.
      *  An embedded image that needs no undistortion is shared with the observation, not copied.
      *
      *  All frames of a camera have the size of its first image. One of another size, as a second
@@ -79,8 +80,9 @@ class FrameBuilder
     Frame build(const mrpt::obs::CObservation& observation);
 
     /** Counts an accepted observation as a frame. Reads its image only while the size of this
-     *  camera's first image is not known: frames that are built later are scaled to it. */
-    void skip(const mrpt::obs::CObservation& observation);
+     *  camera's first image is not known: frames that are built later are scaled to it.
+     *  \return the frame without its image. */
+    Frame skip(const mrpt::obs::CObservation& observation);
 
     /** Id of the next frame; as a number, how many there were. */
     FrameId next_id() const;
