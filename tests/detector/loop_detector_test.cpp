@@ -433,6 +433,23 @@ TEST(LoopDetector, RefusesFramesOutOfOrder)
     EXPECT_THROW(detector.process(view, times), std::invalid_argument);
 }
 
+TEST(LoopDetector, RefusesAnotherLengthAtOnceAndGoesOn)
+{
+    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::StageTimes times;
+    for (std::uint64_t i = 0; i < 4; ++i)
+    {
+        auto view = view_of(10, 0);
+        view.frame = FrameId{i};
+        view.timestamp = static_cast<double>(i);
+        auto longer = view;
+        longer.global.push_back(0);
+        EXPECT_THROW(detector.process(std::move(longer), times), std::invalid_argument);
+        const auto outcome = detector.process(std::move(view), times);
+        EXPECT_EQ(outcome.verdict.accepted(), i > 0) << i;
+    }
+}
+
 TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)
 {
     fild::LoopDetector detector(options_with_delay(1), kDimension);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -114,7 +115,8 @@ class LoopDetector::Trials
 };
 
 LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_dimension)
-    : index_options_(options.index),
+    : global_dimension_(global_dimension),
+      index_options_(options.index),
       candidate_options_(options.candidates),
       estimates_poses_(options.relative_pose.enabled),
       min_inliers_(static_cast<std::size_t>(options.verification.min_inliers)),
@@ -132,6 +134,10 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
 {
     if (last_frame_ && description.frame <= *last_frame_)
         throw std::invalid_argument("LoopDetector: frame ids must increase");
+    if (description.defect == Rejection::none && description.global.size() != global_dimension_)
+        throw std::invalid_argument("LoopDetector: a global descriptor of " +
+                                    std::to_string(description.global.size()) +
+                                    " numbers instead of " + std::to_string(global_dimension_));
     last_frame_ = description.frame;
     if (description.defect != Rejection::none)
         return {verdict_of(description, description.defect), {}, {}, {}};

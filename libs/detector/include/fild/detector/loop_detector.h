@@ -54,7 +54,8 @@ class LoopDetector
 
     /** \param times receives "index_insertion", "index_search", "matching", "verification" and
      *         "relative_pose".
-     *  \throw std::invalid_argument when ids do not increase or a descriptor has another length. */
+     *  \throw std::invalid_argument when ids do not increase or a descriptor has another length;
+     *  nothing has changed then. */
     DetectorOutcome process(FrameDescription description, StageTimes& times);
 
     /** What is kept of a frame; null for one that was not processed, or could not be used. Valid
@@ -85,6 +86,7 @@ class LoopDetector
     void add_pose(DetectorOutcome& outcome, const FrameDescription& query, StageTimes& times) const;
     void remember(FrameDescription description);
 
+    std::size_t global_dimension_;
     TIndexOptions index_options_;
     TCandidateOptions candidate_options_;
     bool estimates_poses_;
