@@ -39,6 +39,7 @@ struct Recording
     std::vector<FrameFeatures> frames;
     std::size_t global_dimension = 0;
     std::string first_missing_image;  ///< empty: none was missing
+    std::size_t scaled_frames = 0;  ///< to the size of their camera's first image
 };
 
 /** A choice of values, as it stands in the table and as it is put into force. */
@@ -111,7 +112,7 @@ void for_each_frame(const SweepRequest& request, FrameBuilder& builder, Use&& us
     }
 }
 
-/** Which frames the rawlog has, for the ground truth: without reading an image. */
+/** Which frames the rawlog has, for the ground truth: reads none of their images but the first. */
 std::vector<FrameVerdict> frames_of(const SweepRequest& request, const TInputOptions& input)
 {
     FrameBuilder builder(input, request.rawlog);
@@ -120,12 +121,12 @@ std::vector<FrameVerdict> frames_of(const SweepRequest& request, const TInputOpt
                    builder,
                    [&](const mrpt::obs::CObservation& observation, double)
                    {
+                       const auto skipped = builder.skip(observation);
                        FrameVerdict frame;
-                       frame.frame = builder.next_id();
-                       frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
-                       frame.sensor_label = observation.sensorLabel;
+                       frame.frame = skipped.id;
+                       frame.timestamp = skipped.timestamp;
+                       frame.sensor_label = skipped.sensor_label;
                        frames.push_back(frame);
-                       builder.skip(observation);
                    });
     throw_if_interrupted();
     if (frames.empty())
@@ -140,7 +141,7 @@ Recording extract_features(const SweepRequest& request, TLoopClosureStreamOption
     options.detector.runtime.num_threads = request.jobs;
     FrameBuilder builder(options.input, request.rawlog);
     FrameFeatureExtractor extractor(options.detector);
-    Recording recording{{}, extractor.global_dimension(), {}};
+    Recording recording{{}, extractor.global_dimension(), {}, 0};
     StageTimes times;
     std::size_t keypoints = 0;
     ProgressLine progress(request.quiet, "keypoints");
@@ -154,10 +155,11 @@ Recording extract_features(const SweepRequest& request, TLoopClosureStreamOption
             progress.update(fraction, recording.frames.size(), keypoints);
         });
     recording.first_missing_image = builder.first_missing_image();
+    recording.scaled_frames = builder.scaled_frames();
     return recording;
 }
 
-/** What is to be said of frames that could not be used.
+/** What the user should know of frames that were scaled or could not be used.
  *  \throw std::runtime_error when none could. */
 std::vector<std::string> remarks_on(const Recording& recording)
 {
@@ -165,7 +167,11 @@ std::vector<std::string> remarks_on(const Recording& recording)
     { return frame.defect != Rejection::none; };
     const auto unusable =
         std::count_if(recording.frames.begin(), recording.frames.end(), is_unusable);
-    if (unusable == 0) return {};
+    std::vector<std::string> remarks;
+    if (recording.scaled_frames > 0)
+        remarks.push_back(std::to_string(recording.scaled_frames) +
+                          " images were scaled to the size of their camera's first image");
+    if (unusable == 0) return remarks;
     auto remark = std::to_string(unusable) + " of " + std::to_string(recording.frames.size()) +
                   " frames could not be used";
     if (!recording.first_missing_image.empty())
@@ -173,7 +179,8 @@ std::vector<std::string> remarks_on(const Recording& recording)
                   ", set [input] images_dir to the folder of the images";
     if (static_cast<std::size_t>(unusable) == recording.frames.size() && !interrupted())
         throw std::runtime_error(remark);
-    return {remark};
+    remarks.push_back(remark);
+    return remarks;
 }
 
 FrameDescription hash(const FrameHasher& hasher, const FrameFeatures& features, StageTimes& times)

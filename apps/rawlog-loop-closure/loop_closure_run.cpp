@@ -99,6 +99,9 @@ void print_result(const RunSummary& summary,
     if (missing != summary.frames_by_rejection.end())
         std::cerr << "note: " << missing->second << " images are missing, the first is "
                   << first_missing_image << "; [input] images_dir names their folder\n";
+    if (summary.scaled_frames > 0)
+        std::cerr << "note: " << summary.scaled_frames
+                  << " images were scaled to the size of their camera's first image\n";
     if (summary.ended_early.empty())  // else one line says why
         for (const auto& note : summary.map.notes) std::cerr << "note: " << note << "\n";
     std::cout << summary.camera_frames << " frames, " << summary.loop_closures

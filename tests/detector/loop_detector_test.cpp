@@ -388,6 +388,24 @@ TEST(LoopDetector, GoesOnWhenTheClockJumpsBack)
     EXPECT_EQ(last.verdict.candidate->frame, FrameId{0});
 }
 
+TEST(LoopDetector, DoesNotAnswerWithItsNeighbourhoodAfterAWrongStamp)
+{
+    for (const double wrong : {-60.0, 60.0})
+    {
+        fild::LoopDetector detector(options_with_delay(20), kDimension);
+        fild::StageTimes times;
+        for (std::uint64_t i = 0; i < 100; ++i)
+        {
+            auto view = view_of(10, 0.01 * static_cast<double>(i));
+            view.frame = FrameId{i};
+            view.timestamp = 1000 + 0.1 * static_cast<double>(i) + (i == 30 ? wrong : 0);
+            const auto outcome = detector.process(std::move(view), times);
+            EXPECT_EQ(outcome.verdict.rejection, Rejection::too_early) << i;
+        }
+        EXPECT_EQ(detector.clock_jumps(), 1U);
+    }
+}
+
 TEST(LoopDetector, BearsFramesWithoutFeatures)
 {
     fild::LoopDetector detector(options_with_delay(1), kDimension);
@@ -413,6 +431,23 @@ TEST(LoopDetector, RefusesFramesOutOfOrder)
     view.frame = FrameId{3};
     detector.process(view, times);
     EXPECT_THROW(detector.process(view, times), std::invalid_argument);
+}
+
+TEST(LoopDetector, RefusesAnotherLengthAtOnceAndGoesOn)
+{
+    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::StageTimes times;
+    for (std::uint64_t i = 0; i < 4; ++i)
+    {
+        auto view = view_of(10, 0);
+        view.frame = FrameId{i};
+        view.timestamp = static_cast<double>(i);
+        auto longer = view;
+        longer.global.push_back(0);
+        EXPECT_THROW(detector.process(std::move(longer), times), std::invalid_argument);
+        const auto outcome = detector.process(std::move(view), times);
+        EXPECT_EQ(outcome.verdict.accepted(), i > 0) << i;
+    }
 }
 
 TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)

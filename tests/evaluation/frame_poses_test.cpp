@@ -29,7 +29,7 @@ class Poses : public ::testing::Test
 
     std::vector<fild::PosedFrame> tum(const std::string& text, std::size_t frames) const
     {
-        return fild::read_tum_poses(write(text), frames_at_one_hertz(frames));
+        return fild::read_tum_poses(write(text), frames_at_one_hertz(frames)).frames;
     }
 
  private:
@@ -77,6 +77,40 @@ TEST_F(Poses, OfTumByTime)
     EXPECT_EQ(frames[2].pose->position[0], 3);
     EXPECT_FALSE(frames[3].pose);  // 30 ms are too much
     EXPECT_FALSE(frames[4].pose);
+}
+
+TEST_F(Poses, OfTumAreFoundByTimeEvenWhenThereAreAsManyAsFrames)
+{
+    const auto reversed = tum("2 7 0 0 0 0 0 1\n1 6 0 0 0 0 0 1\n0 5 0 0 0 0 0 1\n", 3);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(reversed[i].pose->position[0], 5 + static_cast<double>(i));
+    const auto shifted = tum("1 6 0 0 0 0 0 1\n2 7 0 0 0 0 0 1\n3 8 0 0 0 0 0 1\n", 3);
+    EXPECT_FALSE(shifted[0].pose);
+    EXPECT_EQ(shifted[2].pose->position[0], 7);
+}
+
+TEST_F(Poses, OfTumOfAnotherClockAreTakenLineByLineAndSaySo)
+{
+    const auto file = write("7200 5 0 0 0 0 0 1\n7201 6 0 0 0 0 0 1\n");
+    const auto poses = fild::read_tum_poses(file, frames_at_one_hertz(2));
+    EXPECT_EQ(poses.frames[1].pose->position[0], 6);
+    EXPECT_DOUBLE_EQ(poses.seconds_off, 7200);
+    EXPECT_THAT(
+        message_of<std::runtime_error>([&] { tum("7201 5 0 0 0 0 0 1\n7200 6 0 0 0 0 0 1\n", 2); }),
+        HasSubstr("before that of the line above"));
+}
+
+TEST_F(Poses, MayBeRounded)
+{
+    EXPECT_NEAR(tum("0 1 2 3 0 0 0.7 0.7\n", 1)[0].pose->rotation(1, 0), 1, 1e-9);
+    const auto eighth_turn = kitti("0.71 -0.71 0 7 0.71 0.71 0 8 0 0 1 9\n", 1)[0].pose;
+    EXPECT_NEAR(cv::norm(eighth_turn->rotation.t() * eighth_turn->rotation), std::sqrt(3), 1e-9);
+    EXPECT_NEAR(eighth_turn->rotation(0, 0), std::sqrt(0.5), 1e-9);
+    EXPECT_THAT(message_of<std::runtime_error>([&] { tum("0 1 2 3 0.9 0 0 0.9\n", 1); }),
+                HasSubstr("quaternion"));
+    EXPECT_THAT(message_of<std::runtime_error>([&] { kitti("1 0 0 7 0 1 0 8 0 0 -1 9\n", 1); }),
+                HasSubstr("no rotation"))
+        << "a reflection";
 }
 
 TEST_F(Poses, OfTumOfAnotherTimeAreRefused)

@@ -144,9 +144,26 @@ TEST_P(BothIndexes, TellHowSimilarOneFrameIs)
 
 TEST_P(BothIndexes, RefuseAnotherDimension)
 {
-    EXPECT_THROW(index_->insert(FrameId{0}, GlobalDescriptor(kDimension + 1)),
-                 std::invalid_argument);
-    EXPECT_THROW(index_->search(GlobalDescriptor(kDimension - 1), 1), std::invalid_argument);
+    constexpr int kNever = 0;
+    const auto vectors = random_unit_vectors(6, 1);
+    for (const int whiten_from : {kNever, 4})
+    {
+        auto options = options_of(GetParam());
+        options.whiten_from = whiten_from;
+        const auto index = fild::make_place_index(options, kDimension, 1);
+        for (std::size_t i = 0; i < vectors.size(); ++i)
+        {
+            index->insert(FrameId{i}, vectors[i]);
+            for (const auto length : {kDimension - 1, kDimension + 1})
+            {
+                const GlobalDescriptor other(length);
+                EXPECT_THROW(index->insert(FrameId{10 + i}, other), std::invalid_argument);
+                EXPECT_THROW(index->search(other, 1), std::invalid_argument);
+                EXPECT_THROW(index->similarity(other, FrameId{0}), std::invalid_argument);
+            }
+        }
+        EXPECT_EQ(index->size(), vectors.size());
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(PlaceIndex,

@@ -343,6 +343,30 @@ TEST_F(RawlogLoopClosure, CountsWhatItCannotUse)
     EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
 }
 
+TEST_F(RawlogLoopClosure, FindsASecondLapWithImagesOfAnotherSizeInGrey)
+{
+    Objects objects;
+    double seconds = 0;
+    const auto images = fild::testing::draw_two_laps(kFramesPerLap);
+    for (std::size_t i = 0; i < images.size(); ++i)
+    {
+        cv::Mat image = images[i];
+        if (i >= kFramesPerLap)
+            cv::resize(image, image, {}, 1.5, 1.5, cv::INTER_LINEAR);
+        else
+            cv::cvtColor(image, image, cv::COLOR_GRAY2BGR);
+        objects.push_back(fild::testing::image_observation(image, seconds++));
+    }
+    write_rawlog(objects);
+    const auto finished = run();
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_THAT(finished.err,
+                HasSubstr("note: 8 images were scaled to the size of their camera's first image"));
+    EXPECT_EQ(summary()["frames"]["scaled_frames"], 8);
+    EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
+    EXPECT_FALSE(fs::is_empty(path("out/matches")));
+}
+
 TEST_F(RawlogLoopClosure, BearsImagesOfOnePixel)
 {
     Objects objects;

@@ -145,12 +145,26 @@ TEST(FrameBuilder, MarksFramesThatCannotBeUsedAndKeepsTheirIds)
     EXPECT_EQ(defect_of(builder, at(draw_image(CV_16UC1), 1)), Rejection::unsupported_image);
     EXPECT_EQ(defect_of(builder, at(draw_image(), 2)), Rejection::none);
     EXPECT_EQ(defect_of(builder, at(draw_image(), 2)), Rejection::repeated_timestamp);
-    EXPECT_EQ(defect_of(builder, at(draw_image(CV_8UC1, 0, {32, 24}), 3)),
+    EXPECT_EQ(defect_of(builder, at(draw_image(CV_8UC1, 0, {24, 32}), 3)),
               Rejection::image_size_changed);
     EXPECT_EQ(defect_of(builder, at(draw_image(CV_32FC1), 4)), Rejection::unsupported_image);
     EXPECT_EQ(defect_of(builder, at(cv::Mat(), 5)), Rejection::missing_image);
     EXPECT_EQ(defect_of(builder, at(draw_image(), 1)), Rejection::none) << "back in time";
     EXPECT_EQ(to_index(builder.next_id()), 7U);
+}
+
+TEST(FrameBuilder, GivesAFrameWithoutATimeStampThatOfTheFrameBefore)
+{
+    auto builder = default_builder();
+    const auto unstamped = image_observation(draw_image(), 0);
+    unstamped->timestamp = INVALID_TIMESTAMP;
+    EXPECT_EQ(builder.build(*unstamped).timestamp, 0);
+    EXPECT_EQ(defect_of(builder, unstamped), Rejection::none) << "no stamp is no repeated stamp";
+    builder.build(*image_observation(draw_image(), 7));
+    EXPECT_EQ(builder.build(*unstamped).timestamp, 7);
+    EXPECT_EQ(defect_of(builder, image_observation(draw_image(), 7)),
+              Rejection::repeated_timestamp);
+    EXPECT_EQ(defect_of(builder, image_observation(draw_image(), 8)), Rejection::none);
 }
 
 TEST(FrameBuilder, DropsAlpha)

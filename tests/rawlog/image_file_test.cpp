@@ -54,13 +54,32 @@ TEST(ReadImageFile, GivesNothingForAFileCutOffAnywhere)
     }
 }
 
-TEST(ReadImageFile, TakesAJpegWithBytesBehindItsEnd)
+TEST(ReadImageFile, TakesAJpegWithAnythingBehindItsEnd)
 {
     const TemporaryFolder folder;
     cv::imwrite(folder.path("a.jpg"), draw_image());
-    write_text(folder.path("padded.jpg"),
-               read_text(folder.path("a.jpg")) + std::string(1000, '\0'));
-    EXPECT_TRUE(read_image_file(folder.path("padded.jpg")));
+    const auto image = read_text(folder.path("a.jpg"));
+    const auto cut_thumbnail = image.substr(0, image.size() - 100);
+    for (const auto& behind : {std::string(1000, '\0'), cut_thumbnail, std::string("\xFF\xDA\xFF")})
+    {
+        write_text(folder.path("padded.jpg"), image + behind);
+        EXPECT_TRUE(read_image_file(folder.path("padded.jpg")));
+    }
+}
+
+TEST(ReadImageFile, IsNotMisledByAThumbnailInAJpegThatIsCutOff)
+{
+    const TemporaryFolder folder;
+    cv::imwrite(folder.path("a.jpg"), draw_image());
+    const auto image = read_text(folder.path("a.jpg"));
+    const auto length = image.size() + 2;
+    const std::string segment = {
+        '\xFF', '\xE1', static_cast<char>(length >> 8U), static_cast<char>(length & 0xFFU)};
+    const auto with_thumbnail = image.substr(0, 2) + segment + image + image.substr(2);
+    write_text(folder.path("whole.jpg"), with_thumbnail);
+    EXPECT_TRUE(read_image_file(folder.path("whole.jpg")));
+    write_text(folder.path("cut.jpg"), with_thumbnail.substr(0, with_thumbnail.size() - 40));
+    EXPECT_FALSE(read_image_file(folder.path("cut.jpg")));
 }
 
 TEST(ReadImageFile, GivesNothingForAHeaderThatAsksForTooMuch)

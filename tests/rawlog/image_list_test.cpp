@@ -14,6 +14,7 @@ using fild::TimestampSource;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::vector<ListedImage> images(std::size_t count)
 {
@@ -56,13 +57,54 @@ std::string stamps_error(const std::string& file_text, std::size_t count)
 TEST(ImageFolder, ListsImagesByNameAndPassesOverTheRest)
 {
     const TemporaryFolder folder;
-    for (const auto* name : {"img2.png", "img10.PNG", "a.JPeG", "x.tiff", "notes.txt", "png"})
+    for (const auto* name : {"img2.png",
+                             "img10.PNG",
+                             "a.JPeG",
+                             "x.tiff",
+                             "notes.txt",
+                             "png",
+                             "._img2.png",
+                             ".hidden.jpg",
+                             ".DS_Store"})
         write_text(folder.path(name), "");
     std::filesystem::create_directory(folder.path("sub.png"));
     std::vector<std::string> names;
     for (const auto& image : fild::list_image_folder(folder.path()))
         names.push_back(std::filesystem::path(image.path).filename().string());
-    EXPECT_THAT(names, ElementsAre("a.JPeG", "img10.PNG", "img2.png", "x.tiff"));
+    EXPECT_THAT(names, ElementsAre("a.JPeG", "img2.png", "img10.PNG", "x.tiff"));
+}
+
+TEST(ImageFolder, OrdersWholeNumbersByTheirValue)
+{
+    const std::vector<std::string> ordered = {"0_b2.png",
+                                              "0_b10.png",
+                                              "1.25.png",
+                                              "1.5.png",
+                                              "2.05.png",
+                                              "7.png",
+                                              "007a.png",
+                                              "10.125.png",
+                                              "10.png",
+                                              "18446744073709551617.png",
+                                              "a1b2.png",
+                                              "a1b10.png",
+                                              "a01b11.png",
+                                              "b.png",
+                                              "b1.png"};
+    const TemporaryFolder folder;
+    for (const auto& name : ordered) write_text(folder.path(name), "");
+    std::vector<std::string> names;
+    for (const auto& image : fild::list_image_folder(folder.path()))
+        names.push_back(std::filesystem::path(image.path).filename().string());
+    EXPECT_EQ(names, ordered);
+}
+
+TEST(ImageFolder, SaysThatAFolderOfHiddenFilesHoldsNoImage)
+{
+    const TemporaryFolder folder;
+    write_text(folder.path("._a.png"), "");
+    EXPECT_THAT(message_of<std::runtime_error>([&] { fild::list_image_folder(folder.path()); }),
+                AllOf(HasSubstr("no image in"), Not(HasSubstr("._a.png"))));
 }
 
 TEST(ImageFolder, NamesAMissingAndAnEmptyFolder)

@@ -8,6 +8,9 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/gnss_messages_ascii_nmea.h>
 
+#include <cmath>
+#include <limits>
+
 namespace
 {
 using fild::testing::message_of;
@@ -71,6 +74,17 @@ TEST_F(RecordedPath, OfGpsIsInMetresEastAndNorth)
 TEST_F(RecordedPath, LeavesOutMessagesWithoutAFix)
 {
     EXPECT_EQ(read({gps(10, 0, 20, 0), gps(11, 50, 8)}).poses.size(), 1U);
+}
+
+TEST_F(RecordedPath, LeavesOutWhatIsNotANumberOrHasNoTime)
+{
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const auto unstamped = gps(9, 51, 9);
+    unstamped->timestamp = INVALID_TIMESTAMP;
+    const auto fixes = read({gps(10, kNan, 20), gps(11, 0, kNan), unstamped, gps(12, 50, 8)}).poses;
+    ASSERT_EQ(fixes.size(), 1U);
+    EXPECT_EQ(fixes[0].x, 0) << "the first good fix is the origin";
+    EXPECT_EQ(read({robot_at(1, kNan, 0), robot_at(2, 5, 0)}).poses.size(), 1U);
 }
 
 TEST_F(RecordedPath, OfRobotPosesIsInTheOrderOfTime)

@@ -119,11 +119,35 @@ TEST(Undistortion, StraightensWhatTheLensBent)
     }
 }
 
+TEST(Undistortion, DoesNotTakeAFisheyeWithoutCoefficientsForAPinhole)
+{
+    const auto equidistant = camera(LensModel::kannala_brandt, {});
+    ASSERT_GT(largest_offset(draw_through_lens(equidistant)), 2.0);
+    const auto frame = build(seen_through(equidistant));
+    EXPECT_LT(largest_offset(frame.image), 0.25);
+    ASSERT_TRUE(frame.camera);
+    EXPECT_EQ(frame.camera->lens, LensModel::none);
+}
+
 TEST(Undistortion, FollowsACameraThatChanges)
 {
     FrameBuilder builder(TInputOptions(), "run.rawlog");
     EXPECT_LT(largest_offset(builder.build(*seen_through(kPlumbBob, 0)).image), 0.25);
     EXPECT_LT(largest_offset(builder.build(*seen_through(kFisheye, 1)).image), 0.25);
+}
+
+TEST(Undistortion, OfCamerasInTurnsIsByTheirOwnLenses)
+{
+    TInputOptions options;
+    options.sensor_label = "LEFT|RIGHT";
+    FrameBuilder builder(options, "run.rawlog");
+    for (int i = 0; i < 3; ++i)
+        for (const bool is_left : {true, false})
+        {
+            const auto observation = seen_through(is_left ? kPlumbBob : kFisheye, i);
+            observation->sensorLabel = is_left ? "LEFT" : "RIGHT";
+            EXPECT_LT(largest_offset(builder.build(*observation).image), 0.25);
+        }
 }
 
 TEST(Undistortion, IsLeftOutWhereToldSo)
@@ -140,9 +164,15 @@ TEST(Undistortion, IsLeftOutWhereToldSo)
 TEST(Undistortion, DoesNotTouchAnImageWithoutDistortion)
 {
     const auto observation = seen_through(camera(LensModel::plumb_bob, {}));
-    const auto frame = build(observation);
-    EXPECT_EQ(frame.image.data, observation->image.asCvMatRef().data) << "not even copied";
-    EXPECT_TRUE(frame.camera);
+    for (const bool undistort : {true, false})
+    {
+        TInputOptions options;
+        options.undistort = undistort;
+        const auto frame = build(observation, options);
+        EXPECT_EQ(frame.image.data, observation->image.asCvMatRef().data) << "not even copied";
+        ASSERT_TRUE(frame.camera);
+        EXPECT_EQ(frame.camera->lens, LensModel::none) << "a pinhole either way";
+    }
 }
 
 TEST(Undistortion, UsesTheCameraOfTheOptionsInsteadOfTheObservations)

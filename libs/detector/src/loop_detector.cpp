@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -120,7 +121,8 @@ class LoopDetector::Trials
 };
 
 LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_dimension)
-    : index_options_(options.index),
+    : global_dimension_(global_dimension),
+      index_options_(options.index),
       candidate_options_(options.candidates),
       estimates_poses_(options.relative_pose.enabled),
       min_inliers_(static_cast<std::size_t>(options.verification.min_inliers)),
@@ -141,11 +143,15 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
 {
     if (last_frame_ && description.frame <= *last_frame_)
         throw std::invalid_argument("LoopDetector: frame ids must increase");
+    if (description.defect == Rejection::none && description.global.size() != global_dimension_)
+        throw std::invalid_argument("LoopDetector: a global descriptor of " +
+                                    std::to_string(description.global.size()) +
+                                    " numbers instead of " + std::to_string(global_dimension_));
     last_frame_ = description.frame;
     if (description.defect != Rejection::none)
         return {verdict_of(description, description.defect), {}, {}, {}};
 
-    const double now = advance_clock(description.timestamp);
+    const double now = clock_.advance(description.sensor_label, description.timestamp);
     insert_released(queue_.push({description.frame, now, description.global}), times);
     auto outcome = find_loop(description, times);
     check_consistency(outcome);
@@ -153,15 +159,6 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
     outcome.global = description.global;
     remember(std::move(description));
     return outcome;
-}
-
-double LoopDetector::advance_clock(double timestamp)
-{
-    const double step = last_timestamp_ ? timestamp - *last_timestamp_ : 0;
-    if (step < 0) ++clock_jumps_;
-    last_timestamp_ = timestamp;
-    clock_ += std::max(step, 0.0);
-    return clock_;
 }
 
 void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& released,

@@ -3,19 +3,36 @@
 
 #include "number_rows.h"
 
+#include <opencv2/core.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace fild
 {
 namespace
 {
-constexpr double kMaxRotationError = 0.01;  // of R^T R against the identity; files are rounded
+/** Files are rounded: one decimal of a quaternion, or of a rotation matrix, leaves as much. */
+constexpr double kMaxLengthError = 0.1;  // of a quaternion
+constexpr double kMaxRotationError = 0.15;  // of R^T R against the identity
 
 double trace(const cv::Matx33d& m)
 {
     return m(0, 0) + m(1, 1) + m(2, 2);
+}
+
+/** \return `m` when it is a rotation up to the digits that files usually have, else the rotation
+ *  nearest to it; nothing when that is not near, or `m` is a reflection. */
+std::optional<cv::Matx33d> nearest_rotation(const cv::Matx33d& m)
+{
+    constexpr double kExact = 1e-4;
+    const double error = cv::norm(m.t() * m - cv::Matx33d::eye());
+    if (!(error <= kMaxRotationError) || cv::determinant(m) < 0) return std::nullopt;
+    if (error < kExact) return m;
+    const cv::SVD svd(m);
+    return cv::Matx33d(cv::Mat(svd.u * svd.vt));
 }
 
 FramePose parse_kitti(const NumberRow& row)
@@ -25,9 +42,9 @@ FramePose parse_kitti(const NumberRow& row)
     FramePose pose;
     pose.rotation = {v[0], v[1], v[2], v[4], v[5], v[6], v[8], v[9], v[10]};
     pose.position = {v[3], v[7], v[11]};
-    const auto error = pose.rotation.t() * pose.rotation - cv::Matx33d::eye();
-    if (cv::norm(error) > kMaxRotationError)
-        throw std::runtime_error(row.origin + ": the left 3x3 numbers are no rotation");
+    const auto rotation = nearest_rotation(pose.rotation);
+    if (!rotation) throw std::runtime_error(row.origin + ": the left 3x3 numbers are no rotation");
+    pose.rotation = *rotation;
     return pose;
 }
 
@@ -36,7 +53,7 @@ FramePose parse_tum(const NumberRow& row)
     require_numbers(row, 8, "seconds x y z qx qy qz qw");
     cv::Vec4d q(row.values[4], row.values[5], row.values[6], row.values[7]);
     const double length = cv::norm(q);
-    if (std::abs(length - 1) > kMaxRotationError)
+    if (!(std::abs(length - 1) <= kMaxLengthError))
         throw std::runtime_error(row.origin + ": the last four numbers are no unit quaternion");
     q /= length;
     FramePose pose;
@@ -45,24 +62,52 @@ FramePose parse_tum(const NumberRow& row)
     return pose;
 }
 
-/** The row nearest in time, if it is near; `rows` in the order of time. */
-const NumberRow* nearest_row(const std::vector<NumberRow>& rows, double timestamp)
+/** For each frame the row nearest in time, if it is near; else null. With as many rows as frames,
+ *  the row of the same number where that is near as well. */
+std::vector<const NumberRow*> rows_by_time(const std::vector<NumberRow>& rows,
+                                           const std::vector<FrameVerdict>& frames)
 {
-    const auto later =
-        std::lower_bound(rows.begin(),
-                         rows.end(),
-                         timestamp,
-                         [](const NumberRow& row, double time) { return row.values[0] < time; });
-    const NumberRow* nearest = nullptr;
-    double least = kMaxPoseTimeDifference;
-    for (auto row = later == rows.begin() ? later : later - 1; row != rows.end() && row <= later;
-         ++row)
-        if (const double difference = std::abs(row->values[0] - timestamp); difference <= least)
-        {
-            least = difference;
-            nearest = &*row;
-        }
-    return nearest;
+    std::multimap<double, const NumberRow*> by_time;
+    for (const auto& row : rows) by_time.emplace(row.values[0], &row);
+    std::vector<const NumberRow*> chosen;
+    chosen.reserve(frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+        const double time = frames[i].timestamp;
+        const NumberRow* nearest = nullptr;
+        double least = kMaxPoseTimeDifference;
+        const auto last = by_time.upper_bound(time + least);
+        for (auto row = by_time.lower_bound(time - least); row != last; ++row)
+            if (const double difference = std::abs(row->first - time); difference <= least)
+            {
+                least = difference;
+                nearest = row->second;
+            }
+        const bool has_own = rows.size() == frames.size() &&
+                             std::abs(rows[i].values[0] - time) <= kMaxPoseTimeDifference;
+        chosen.push_back(has_own ? &rows[i] : nearest);
+    }
+    return chosen;
+}
+
+/** \throw std::runtime_error when the rows are not in the order of their own times. */
+void require_order(const std::string& path, const std::vector<NumberRow>& rows)
+{
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        if (rows[i].values[0] < rows[i - 1].values[0])
+            throw std::runtime_error(rows[i].origin +
+                                     ": the time is before that of the line above, and the times " +
+                                     "of " + path + " are not those of the frames; is it the " +
+                                     "truth of this recording?");
+}
+
+double largest_difference(const std::vector<NumberRow>& rows,
+                          const std::vector<FrameVerdict>& frames)
+{
+    double largest = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        largest = std::max(largest, std::abs(rows[i].values[0] - frames[i].timestamp));
+    return largest;
 }
 }  // namespace
 
@@ -104,32 +149,30 @@ std::vector<PosedFrame> read_kitti_poses(const std::string& path,
     return posed;
 }
 
-std::vector<PosedFrame> read_tum_poses(const std::string& path,
-                                       const std::vector<FrameVerdict>& frames)
+TumPoses read_tum_poses(const std::string& path, const std::vector<FrameVerdict>& frames)
 {
-    auto rows = read_number_rows(path);
+    const auto rows = read_number_rows(path);
     for (const auto& row : rows) parse_tum(row);  // all must be poses, those of no frame too
-    const bool line_per_frame = rows.size() == frames.size();
-    if (!line_per_frame)
-        std::stable_sort(rows.begin(),
-                         rows.end(),
-                         [](const NumberRow& a, const NumberRow& b)
-                         { return a.values[0] < b.values[0]; });
-    std::vector<PosedFrame> posed;
-    posed.reserve(frames.size());
-    bool any = false;
-    for (std::size_t i = 0; i < frames.size(); ++i)
+    auto chosen = rows_by_time(rows, frames);
+    const auto known = static_cast<std::size_t>(
+        std::count_if(chosen.begin(), chosen.end(), [](const auto* row) { return row; }));
+    TumPoses poses;
+    if (rows.size() == frames.size() && 2 * known < frames.size())
     {
-        posed.push_back({frames[i].timestamp, std::nullopt});
-        const auto* row = line_per_frame ? &rows[i] : nearest_row(rows, frames[i].timestamp);
-        if (row == nullptr) continue;
-        posed.back().pose = parse_tum(*row);
-        any = true;
+        require_order(path, rows);
+        poses.seconds_off = largest_difference(rows, frames);
+        for (std::size_t i = 0; i < rows.size(); ++i) chosen[i] = &rows[i];
     }
-    if (!any)
+    else if (known == 0)
         throw std::runtime_error("no pose of " + path + " is of the time of a frame; is it the " +
                                  "truth of this recording?");
-    return posed;
+    poses.frames.reserve(frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+        poses.frames.push_back({frames[i].timestamp, std::nullopt});
+        if (chosen[i] != nullptr) poses.frames.back().pose = parse_tum(*chosen[i]);
+    }
+    return poses;
 }
 
 std::vector<TimedPose> read_tum_trajectory(const std::string& path)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -146,8 +147,16 @@ TruePoses load_poses(const std::string& path,
                      Format format,
                      const std::vector<FrameVerdict>& frames)
 {
-    return format == Format::tum_poses ? true_poses(read_tum_poses(path, frames), "TUM poses")
-                                       : true_poses(read_kitti_poses(path, frames), "KITTI poses");
+    if (format == Format::kitti_poses)
+        return true_poses(read_kitti_poses(path, frames), "KITTI poses");
+    constexpr double kSameClock = 1;  // s
+    auto tum = read_tum_poses(path, frames);
+    auto poses = true_poses(std::move(tum.frames), "TUM poses");
+    if (tum.seconds_off > kSameClock)
+        poses.remarks.push_back("its times are up to " +
+                                std::to_string(std::llround(tum.seconds_off)) +
+                                " s away from those of the frames: line i was taken for frame i");
+    return poses;
 }
 
 bool holds_labels(Format format)

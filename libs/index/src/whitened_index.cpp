@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/index/whitened_index.h"
 
+#include "require_dimension.h"
 #include "whitening.h"
 
 #include <utility>
@@ -37,7 +38,9 @@ double WhitenedIndex::similarity(const GlobalDescriptor& query, FrameId frame) c
 
 GlobalDescriptor WhitenedIndex::whitened(const GlobalDescriptor& descriptor) const
 {
-    return whitening_ ? whitening_->apply(descriptor) : descriptor;
+    if (!whitening_) return descriptor;
+    require_dimension(descriptor, descriptors_.front().size());
+    return whitening_->apply(descriptor);
 }
 
 void WhitenedIndex::learn()

@@ -21,7 +21,8 @@ class Whitening
      *         keeps directions that hardly occur from being blown up. */
     Whitening(const std::vector<GlobalDescriptor>& descriptors, double shrinkage);
 
-    /** \return the whitened descriptor, of unit norm; all zero when it equals the mean. */
+    /** \param descriptor  of the length learnt from.
+     *  \return the whitened descriptor, of unit norm; all zero when it equals the mean. */
     GlobalDescriptor apply(const GlobalDescriptor& descriptor) const;
 
  private:

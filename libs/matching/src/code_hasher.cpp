@@ -4,6 +4,7 @@
 
 #include "fild/core/parallel_for.h"
 #include "fild/core/random.h"
+#include "processor_clones.h"
 
 #include <algorithm>
 #include <cstring>
@@ -40,11 +41,11 @@ using Lanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
 
 /** Projections of `count` descriptors that stand one after the other: row by row, `panels` x
  *  kPanelWidth numbers each. Panel by panel, because one panel stays in the nearest cache. */
-__attribute__((target_clones("default", "avx2"))) void project_all(
-    const float* descriptors,
-    std::size_t count,
-    const std::vector<float>& weights,
-    std::vector<float>& projections)
+FILD_CLONED_FOR("avx2")
+void project_all(const float* descriptors,
+                 std::size_t count,
+                 const std::vector<float>& weights,
+                 std::vector<float>& projections)
 {
     constexpr auto kPanelSize = LocalFeatures::dimension * kPanelWidth;
     const auto panels = weights.size() / kPanelSize;

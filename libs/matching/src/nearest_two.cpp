@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nearest_two.h"
 
+#include "processor_clones.h"
+
 #include <algorithm>
 #include <array>
 
@@ -32,11 +34,11 @@ template <std::size_t kWords>
 }
 
 /** Distances to as many codes, which stand one after the other, as there is room for. */
-__attribute__((target_clones("default", "popcnt"))) void hamming_distances(
-    const std::uint64_t* code,
-    const std::uint64_t* others,
-    std::size_t words,
-    std::vector<int>& distances)
+FILD_CLONED_FOR("popcnt")
+void hamming_distances(const std::uint64_t* code,
+                       const std::uint64_t* others,
+                       std::size_t words,
+                       std::vector<int>& distances)
 {
     if (words == 4)  // 256 bits, what nearly everybody uses
         distances_of<4>(code, others, words, distances);

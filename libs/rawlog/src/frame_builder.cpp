@@ -5,6 +5,7 @@
 #include "fild/rawlog/camera_conversion.h"
 #include "image_store.h"
 #include "metric_content.h"
+#include "size_change.h"
 #include "undistorter.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -73,6 +74,8 @@ struct FrameBuilder::State
 
     /** Counts the frame; its stamp is remembered for the next one. */
     Frame begin(const CObservation& observation);
+    /** Whether the frame has another size than its camera's first image: it must be changed. */
+    bool has_other_size(const Frame& frame) const;
     void load_image(const CameraView& view, Frame& frame);
     /** Notes a missing image. \throw std::runtime_error where that ends the run. */
     void note_missing(const std::string& path, const Frame& frame);
@@ -81,17 +84,18 @@ struct FrameBuilder::State
     TInputOptions options;
     CameraLabels labels;
     ImageStore store;
-    Undistorter undistorter;
     std::optional<CameraModel> override_camera;
     std::optional<MetricContent> metric;  ///< when metric content is asked for
-    /** What the next image of a camera is held against. */
+    /** What is kept from one image of a camera to the next. */
     struct Camera
     {
+        Undistorter undistorter;
         std::optional<cv::Size> image_size;
         std::optional<double> previous_stamp;
     };
     std::map<std::string, Camera> cameras;  ///< by sensor label
     std::uint64_t count = 0;
+    std::size_t scaled = 0;
     std::string first_missing;
 };
 
@@ -99,12 +103,22 @@ Frame FrameBuilder::State::begin(const CObservation& observation)
 {
     Frame frame;
     frame.id = FrameId{count++};
-    frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
     frame.sensor_label = observation.sensorLabel;
     auto& previous_stamp = cameras[frame.sensor_label].previous_stamp;
+    if (observation.timestamp == INVALID_TIMESTAMP)
+    {
+        frame.timestamp = previous_stamp.value_or(0);
+        return frame;
+    }
+    frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
     if (frame.timestamp == previous_stamp) frame.defect = Rejection::repeated_timestamp;
     previous_stamp = frame.timestamp;
     return frame;
+}
+
+bool FrameBuilder::State::has_other_size(const Frame& frame) const
+{
+    return frame.image.size() != cameras.at(frame.sensor_label).image_size;
 }
 
 void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
@@ -116,11 +130,11 @@ void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
         note_missing(store.path_of(view.image), frame);
         return;
     }
-    const auto& image_size = cameras[frame.sensor_label].image_size;
+    const auto& first_size = cameras[frame.sensor_label].image_size;
     const auto image = as_grey_or_bgr(*stored);
     if (!image)
         frame.defect = Rejection::unsupported_image;
-    else if (image_size && image->size() != *image_size)
+    else if (first_size && image->size() != *first_size && !size_change(image->size(), *first_size))
         frame.defect = Rejection::image_size_changed;
     else
         frame.image = *image;
@@ -141,15 +155,21 @@ void FrameBuilder::State::calibrate(const CameraView& view, Frame& frame)
 {
     frame.camera = override_camera ? override_camera : camera_model_from(view.camera);
     if (!frame.camera) return;
-    const cv::Size calibrated(frame.camera->width, frame.camera->height);
-    if (calibrated != frame.image.size())
+    const auto& first_size = *cameras.at(frame.sensor_label).image_size;
+    const auto fitting = camera_for(*frame.camera, frame.image.size(), first_size);
+    if (!fitting && !has_other_size(frame))
         throw std::runtime_error("the calibration of camera '" + frame.sensor_label + "' is for " +
-                                 to_text(calibrated) + " pixels, its images have " +
-                                 to_text(frame.image.size()) +
+                                 to_text({frame.camera->width, frame.camera->height}) +
+                                 " pixels, its images have " + to_text(frame.image.size()) +
                                  "; set [input] camera_parameters for that size");
-    if (!options.undistort) return;
+    frame.camera = fitting;
+    if (!frame.camera) return;
     if (has_distortion(*frame.camera))
-        frame.image = undistorter.undistort(frame.image, *frame.camera);
+    {
+        if (!options.undistort) return;
+        frame.image =
+            cameras.at(frame.sensor_label).undistorter.undistort(frame.image, *frame.camera);
+    }
     frame.camera->lens = LensModel::none;
     frame.camera->distortion.fill(0);
 }
@@ -179,22 +199,42 @@ Frame FrameBuilder::build(const CObservation& observation)
     auto frame = state_->begin(observation);
     if (frame.defect == Rejection::none) state_->load_image(*view, frame);
     if (frame.defect != Rejection::none) return frame;
+    auto& first_size = state_->cameras[frame.sensor_label].image_size;
+    if (!first_size) first_size = frame.image.size();
     state_->calibrate(*view, frame);
-    state_->cameras[frame.sensor_label].image_size = frame.image.size();
-    if (!state_->metric) return frame;
-    const auto missing = state_->metric->add_to(frame, observation);
-    if (!missing.empty()) state_->note_missing(missing, frame);
+    if (state_->metric)
+    {
+        const auto missing = state_->metric->add_to(frame, observation, *first_size);
+        if (!missing.empty()) state_->note_missing(missing, frame);
+    }
+    if (state_->has_other_size(frame))
+    {
+        change_size(frame, *size_change(frame.image.size(), *first_size));
+        ++state_->scaled;
+    }
     return frame;
 }
 
-void FrameBuilder::skip(const CObservation& observation)
+Frame FrameBuilder::skip(const CObservation& observation)
 {
-    state_->begin(observation);
+    auto frame = state_->begin(observation);
+    auto& first_size = state_->cameras[frame.sensor_label].image_size;
+    const auto view = camera_view_of(observation);
+    if (first_size || frame.defect != Rejection::none || !view) return frame;
+    const auto stored = state_->store.load(view->image);
+    if (const auto image = stored ? as_grey_or_bgr(*stored) : std::nullopt)
+        first_size = image->size();
+    return frame;
 }
 
 FrameId FrameBuilder::next_id() const
 {
     return FrameId{state_->count};
+}
+
+std::size_t FrameBuilder::scaled_frames() const
+{
+    return state_->scaled;
 }
 
 std::string FrameBuilder::first_missing_image() const

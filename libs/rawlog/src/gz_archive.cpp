@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -11,19 +12,29 @@ namespace fild
 {
 namespace
 {
-constexpr unsigned kBufferBytes = 1U << 11U;  // small, so that progress shows in small files too
+constexpr std::uintmax_t kLeastBuffer = 1U << 11U;  // bytes
+constexpr std::uintmax_t kLargestBuffer = 1U << 16U;
 /** zlib counts in int. */
 constexpr std::size_t kMaxBlockBytes = std::size_t{1} << 30U;
 
-GzHandle open_gz(const std::string& path, const char* mode)
+/** Progress shows in steps of one buffer: about two hundred of them, as far as that is sensible. */
+unsigned buffer_for(const std::string& path)
+{
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (error) return kLargestBuffer;
+    return static_cast<unsigned>(std::clamp(size / 200, kLeastBuffer, kLargestBuffer));
+}
+
+GzHandle open_gz(const std::string& path, const char* mode, unsigned buffer)
 {
     GzHandle file(gzopen(path.c_str(), mode));
-    if (file) gzbuffer(file.get(), kBufferBytes);
+    if (file) gzbuffer(file.get(), buffer);
     return file;
 }
 }  // namespace
 
-GzReader::GzReader(const std::string& path) : file_(open_gz(path, "rb"))
+GzReader::GzReader(const std::string& path) : file_(open_gz(path, "rb", buffer_for(path)))
 {
     if (!file_)
         throw std::runtime_error("cannot read " + path + ": " +
@@ -81,7 +92,7 @@ void GzReader::fail()
 }
 
 GzWriter::GzWriter(const std::string& temporary_path, std::string path)
-    : path_(std::move(path)), file_(open_gz(temporary_path, "wb1"))
+    : path_(std::move(path)), file_(open_gz(temporary_path, "wb1", kLargestBuffer))
 {
     if (!file_)
         throw std::runtime_error("cannot write " + path_ + ": " +

@@ -24,15 +24,28 @@ std::vector<char> read_bytes(const std::string& path)
     return bytes;
 }
 
-/** libjpeg fills what is missing with grey and only prints a warning. Inside compressed data FF D9
- *  cannot stand, so a whole file has one behind its last start of scan (FF DA). */
+/** libjpeg fills what is missing with grey and only prints a warning. So the markers are followed
+ * to the one that ends the image. What stands behind it, as in photos with a film or with data of
+ * the phone's, may be anything. */
 bool is_cut_off_jpeg(std::string_view bytes)
 {
+    constexpr unsigned char kEndOfImage = 0xD9;
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     if (bytes.substr(0, 2) != "\xFF\xD8") return false;
-    const auto end_of_image = bytes.rfind("\xFF\xD9");
-    const auto start_of_scan = bytes.rfind("\xFF\xDA");
-    return end_of_image == std::string_view::npos || start_of_scan == std::string_view::npos ||
-           end_of_image < start_of_scan;
+    for (std::size_t at = bytes.find('\xFF', 2); at != std::string_view::npos;
+         at = bytes.find('\xFF', at))
+    {
+        at = bytes.find_first_not_of('\xFF', at);
+        if (at == std::string_view::npos) return true;
+        const auto marker = byte(at++);
+        if (marker == kEndOfImage) return false;
+        const bool is_restart = marker >= 0xD0 && marker <= 0xD7;
+        const bool stands_alone = marker <= 0x01 || is_restart;  // 0: no marker but data
+        if (stands_alone) continue;
+        if (at + 2 > bytes.size()) return true;
+        at += std::size_t{byte(at)} << 8U | byte(at + 1);  // the segment, thumbnails included
+    }
+    return true;
 }
 }  // namespace
 

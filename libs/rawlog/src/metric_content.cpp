@@ -6,6 +6,7 @@
 #include "fild/rawlog/pose_conversion.h"
 #include "range_image.h"
 #include "robot_frame.h"
+#include "size_change.h"
 
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationImage.h>
@@ -45,7 +46,8 @@ bool is_registered(const CObservation3DRangeScan& scan)
     const auto& a = scan.cameraParams;
     const auto& b = scan.cameraParamsIntensity;
     return scan.doDepthAndIntensityCamerasCoincide() && a.intrinsicParams == b.intrinsicParams &&
-           a.dist == b.dist && a.ncols == b.ncols && a.nrows == b.nrows;
+           a.distortion == b.distortion && a.dist == b.dist && a.ncols == b.ncols &&
+           a.nrows == b.nrows;
 }
 
 /** Zeros, which stand for no reading in MRPT, become NaN. */
@@ -63,7 +65,9 @@ MetricContent::MetricContent(const ImageStore& store,
 {
 }
 
-std::string MetricContent::add_to(Frame& frame, const CObservation& observation)
+std::string MetricContent::add_to(Frame& frame,
+                                  const CObservation& observation,
+                                  cv::Size first_size)
 {
     frame.robot_from_camera = robot_from_camera_of(observation);
     const auto* stereo = dynamic_cast<const CObservationStereoImages*>(&observation);
@@ -73,17 +77,19 @@ std::string MetricContent::add_to(Frame& frame, const CObservation& observation)
     else if (has_distortion(*frame.camera))
         frame.depth_defect = DepthDefect::distorted;
     else if (stereo != nullptr)
-        return add_right(frame, *stereo);
+        return add_right(frame, *stereo, first_size);
     else if (scan != nullptr)
-        return add_depth(frame, *scan);
+        return add_depth(frame, *scan, first_size);
     else
         frame.depth_defect = DepthDefect::mono;
     return "";
 }
 
-std::string MetricContent::add_right(Frame& frame, const CObservationStereoImages& stereo)
+std::string MetricContent::add_right(Frame& frame,
+                                     const CObservationStereoImages& stereo,
+                                     cv::Size first_size)
 {
-    const auto camera = override_camera_ ? override_camera_ : camera_model_from(stereo.rightCamera);
+    auto camera = override_camera_ ? override_camera_ : camera_model_from(stereo.rightCamera);
     RightView right;
     right.left_from_right = rigid_transform_from(mrpt::poses::CPose3D(stereo.rightCameraPose));
     const auto stored = stereo.hasImageRight ? store_.load(stereo.imageRight) : std::nullopt;
@@ -98,17 +104,28 @@ std::string MetricContent::add_right(Frame& frame, const CObservationStereoImage
         frame.depth_defect = DepthDefect::missing_right_image;
     if (frame.depth_defect != DepthDefect::none)
         return stored || !stereo.hasImageRight ? "" : store_.path_of(stereo.imageRight);
-    if (image->size() != cv::Size(camera->width, camera->height))
+    const bool is_scaled = frame.image.size() != first_size;
+    camera = camera_for(*camera, image->size(), is_scaled ? first_size : image->size());
+    if (!camera && is_scaled)
+    {
+        frame.depth_defect = DepthDefect::not_calibrated;
+        return "";
+    }
+    if (!camera)
         throw std::runtime_error("the calibration of the right camera of '" + frame.sensor_label +
                                  "' is for another image size than its images have; set [input] "
                                  "camera_parameters for that size");
-    right.image = has_distortion(*camera) ? right_undistorter_.undistort(*image, *camera) : *image;
+    right.image = has_distortion(*camera)
+                      ? undistorters_[frame.sensor_label].undistort(*image, *camera)
+                      : *image;
     right.camera = without_distortion(*camera);
     frame.right = std::move(right);
     return "";
 }
 
-std::string MetricContent::add_depth(Frame& frame, const CObservation3DRangeScan& scan)
+std::string MetricContent::add_depth(Frame& frame,
+                                     const CObservation3DRangeScan& scan,
+                                     cv::Size first_size)
 {
     auto path = scan.hasRangeImage && scan.rangeImage_isExternallyStored()
                     ? store_.path_of_file(scan.rangeImage_getExternalStorageFile(""))
@@ -116,7 +133,7 @@ std::string MetricContent::add_depth(Frame& frame, const CObservation3DRangeScan
     const auto ranges = ranges_of(scan, path);
     if (!ranges.empty())
     {
-        frame.depth = depth_on_image(frame, scan, ranges);
+        frame.depth = depth_on_image(frame, scan, ranges, first_size);
         if (frame.depth.empty())
             frame.depth_defect = DepthDefect::not_calibrated;
         else if (cv::countNonZero(frame.depth > 0) == 0)
@@ -132,15 +149,18 @@ std::string MetricContent::add_depth(Frame& frame, const CObservation3DRangeScan
 
 cv::Mat MetricContent::depth_on_image(const Frame& frame,
                                       const CObservation3DRangeScan& scan,
-                                      const cv::Mat& ranges)
+                                      const cv::Mat& ranges,
+                                      cv::Size first_size)
 {
     const bool registered = is_registered(scan) && ranges.size() == frame.image.size();
     auto camera = camera_model_from(scan.cameraParams);
     if (registered && override_camera_) camera = override_camera_;
-    if (!camera || ranges.size() != cv::Size(camera->width, camera->height)) return {};
+    if (camera)
+        camera = camera_for(*camera, ranges.size(), registered ? first_size : ranges.size());
+    if (!camera) return {};
     auto straight = ranges;
     if (has_distortion(*camera))
-        straight = depth_undistorter_.undistort(ranges, *camera, cv::INTER_NEAREST);
+        straight = undistorters_[frame.sensor_label].undistort(ranges, *camera, cv::INTER_NEAREST);
     const auto pinhole = without_distortion(*camera);
     if (!scan.range_is_depth) straight = depth_from_ranges(straight, pinhole);
     if (registered) return with_nan(straight);

@@ -5,6 +5,7 @@
 #include "image_store.h"
 #include "undistorter.h"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -28,23 +29,33 @@ class MetricContent
                   const std::optional<CameraModel>& override_camera);
 
     /** \param frame  of `observation`, with image and camera. Sets depth_defect when there is no
-     *  depth to be had. \return path of a right or depth image that is stored outside the rawlog
-     *  and cannot be read; empty when there is none such.
-     *  \throw std::runtime_error when the right camera is calibrated for another image size. */
-    std::string add_to(Frame& frame, const mrpt::obs::CObservation& observation);
+     *  depth to be had.
+     *  \param first_size  of this camera's first image: a calibration for it serves images of
+     *  other sizes with the same aspect ratio.
+     *  \return path of a right or depth image that is stored outside the rawlog and cannot be
+     *  read; empty when there is none such.
+     *  \throw std::runtime_error when the right camera is calibrated for another image size,
+     *  unless the frame has not `first_size`: not_calibrated. */
+    std::string add_to(Frame& frame,
+                       const mrpt::obs::CObservation& observation,
+                       cv::Size first_size);
 
  private:
-    std::string add_right(Frame& frame, const mrpt::obs::CObservationStereoImages& stereo);
-    std::string add_depth(Frame& frame, const mrpt::obs::CObservation3DRangeScan& scan);
+    std::string add_right(Frame& frame,
+                          const mrpt::obs::CObservationStereoImages& stereo,
+                          cv::Size first_size);
+    std::string add_depth(Frame& frame,
+                          const mrpt::obs::CObservation3DRangeScan& scan,
+                          cv::Size first_size);
     cv::Mat depth_on_image(const Frame& frame,
                            const mrpt::obs::CObservation3DRangeScan& scan,
-                           const cv::Mat& ranges);
+                           const cv::Mat& ranges,
+                           cv::Size first_size);
 
     const ImageStore& store_;
     bool undistort_;
     std::optional<CameraModel> override_camera_;
-    Undistorter right_undistorter_;
-    Undistorter depth_undistorter_;
+    std::map<std::string, Undistorter> undistorters_;  ///< of right or depth images, by label
 };
 
 }  // namespace fild

@@ -73,29 +73,40 @@ std::optional<GeodeticFix> fix_of(const mrpt::obs::CObservationGPS& gps)
     if (!gps.hasMsgClass<Message_NMEA_GGA>()) return std::nullopt;
     const auto& fields = gps.getMsgByClass<Message_NMEA_GGA>().fields;
     constexpr int kNoFix = 0;
-    if (fields.fix_quality == kNoFix) return std::nullopt;
+    const bool is_finite = std::isfinite(fields.latitude_degrees) &&
+                           std::isfinite(fields.longitude_degrees) &&
+                           std::isfinite(fields.altitude_meters);
+    if (fields.fix_quality == kNoFix || !is_finite) return std::nullopt;
     return GeodeticFix{fields.latitude_degrees * kRadiansPerDegree,
                        fields.longitude_degrees * kRadiansPerDegree,
                        fields.altitude_meters};
 }
 
-StampedPose robot_pose(const mrpt::obs::CObservationRobotPose& observation, double seconds)
+/** Nothing where the pose is not known: NaN. */
+std::optional<StampedPose> robot_pose(const mrpt::obs::CObservationRobotPose& observation,
+                                      double seconds)
 {
     const auto& pose = observation.pose.mean;
+    if (!std::isfinite(pose.x() + pose.y() + pose.z() + pose.yaw() + pose.pitch() + pose.roll()))
+        return std::nullopt;
     mrpt::math::CQuaternionDouble q;
     pose.getAsQuaternion(q);
-    return {seconds, pose.x(), pose.y(), pose.z(), q.x(), q.y(), q.z(), q.r()};
+    return StampedPose{seconds, pose.x(), pose.y(), pose.z(), q.x(), q.y(), q.z(), q.r()};
 }
 
 /** Sorts observations into the paths of the sensors. */
 class PathCollector
 {
  public:
+    /** Passes over observations without a time stamp: they cannot be placed. */
     void take(const mrpt::obs::CObservation& observation)
     {
+        if (observation.timestamp == INVALID_TIMESTAMP) return;
         const double seconds = mrpt::Clock::toDouble(observation.timestamp);
-        if (const auto* robot = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&observation))
-            path(Source::robot_pose, observation).push_back(robot_pose(*robot, seconds));
+        const auto* robot = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&observation);
+        if (robot != nullptr)
+            if (const auto pose = robot_pose(*robot, seconds))
+                path(Source::robot_pose, observation).push_back(*pose);
         const auto* gps = dynamic_cast<const mrpt::obs::CObservationGPS*>(&observation);
         if (gps == nullptr) return;
         if (const auto fix = fix_of(*gps))

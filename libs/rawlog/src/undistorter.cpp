@@ -19,6 +19,8 @@ auto fields(const CameraModel& c)
 
 bool has_distortion(const CameraModel& camera)
 {
+    // A fisheye whose coefficients are zero is r = f theta; a pinhole is r = f tan(theta).
+    if (camera.lens == LensModel::kannala_brandt) return true;
     return camera.lens != LensModel::none &&
            std::any_of(camera.distortion.begin(),
                        camera.distortion.end(),

@@ -8,7 +8,8 @@
 
 namespace fild
 {
-/** True when the camera has a lens model with a coefficient that is not zero. */
+/** True when the camera is not a pinhole: a fisheye, or a lens model with a coefficient that is not
+ *  zero. */
 bool has_distortion(const CameraModel& camera);
 
 /** Straightens images; keeps the lookup maps of the last camera. The straightened image has the

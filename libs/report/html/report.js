@@ -252,7 +252,7 @@ function drawReasons() {
 const verdictMeanings = {
   accepted: 'a loop closure: the frame shows the place that its candidate shows',
   missing_image: 'the image file is not there, or is no image; the frame is passed over',
-  image_size_changed: 'not the size of this camera\'s first image; the frame is passed over',
+  image_size_changed: 'cannot be scaled to the size of this camera\'s first image; the frame is passed over',
   repeated_timestamp: 'it has the time stamp of this camera\'s frame before; the frame is passed over',
   unsupported_image: 'neither 8 bit grey nor 8 bit colour; the frame is passed over',
   too_early: 'no frame is old enough to be returned to: [index] delay_seconds',

@@ -37,6 +37,7 @@ Json frames_json(const RunSummary& summary)
             {"loop_closures", summary.loop_closures},
             {"rejections", rejections},
             {"clock_jumps", summary.clock_jumps},
+            {"scaled_frames", summary.scaled_frames},
             {"mean_keypoints", rounded(summary.mean_keypoints)},
             {"match_pictures", summary.match_pictures},
             {"frames_per_similarity_row", summary.frames_per_similarity_row},

@@ -28,7 +28,7 @@ enum class Rejection
 {
     none,  ///< accepted: a loop closure
     missing_image,  ///< the externally stored image is not there, or is no image
-    image_size_changed,  ///< not the size of this camera's first image
+    image_size_changed,  ///< cannot be scaled to this camera's first image
     repeated_timestamp,  ///< the same time stamp as the camera frame before
     unsupported_image,  ///< neither 8 bit grey nor 8 bit colour
     too_early,  ///< the index is still empty: nothing is older than the delay (psi)

@@ -9,6 +9,7 @@
 #include "fild/detector/pair_verifier.h"
 #include "fild/detector/place.h"
 #include "fild/detector/place_belief.h"
+#include "fild/detector/recording_clock.h"
 #include "fild/detector/temporal_consistency.h"
 #include "fild/geometry/relative_pose.h"
 #include "fild/index/delay_queue.h"
@@ -43,9 +44,9 @@ struct DetectorOutcome
 /** The FILD pipeline, An et al., IROS 2019, Figure 2: finds for each frame the earlier frame that
  *  shows the same place, or says why there is none.
  *
- *  Takes frames in increasing id. Time stamps may jump backwards (the clock was set): the delay
- * then goes on from the last frame, and clock_jumps() counts it. Deterministic: the same
- * descriptions and options give the same verdicts. Not thread-safe: one caller at a time. */
+ *  Takes frames in increasing id. Time stamps may be wrong or missing (0), and the clock may be set
+ *  on the way: the delay goes on as RecordingClock says. Deterministic: the same descriptions and
+ *  options give the same verdicts. Not thread-safe: one caller at a time. */
 class LoopDetector
 {
  public:
@@ -54,7 +55,8 @@ class LoopDetector
 
     /** \param times receives "index_insertion", "index_search", "matching", "verification", "evidence"
      *         and "relative_pose".
-     *  \throw std::invalid_argument when ids do not increase or a descriptor has another length. */
+     *  \throw std::invalid_argument when ids do not increase or a descriptor has another length;
+     *         nothing has changed then. */
     DetectorOutcome process(FrameDescription description, StageTimes& times);
 
     /** What is kept of a frame; null for one that was not processed, or could not be used. Valid
@@ -65,12 +67,12 @@ class LoopDetector
      * of the HNSW graph (about 8 x links_per_node bytes a frame) not counted. */
     std::size_t map_bytes() const { return map_bytes_; }
 
-    std::size_t clock_jumps() const { return clock_jumps_; }
+    /** How often a camera's time stamps jumped: RecordingClock::jumps(). */
+    std::size_t clock_jumps() const { return clock_.jumps(); }
 
  private:
     class Trials;
 
-    double advance_clock(double timestamp);
     void insert_released(const std::vector<DelayQueue::Entry>& released, StageTimes& times);
     std::vector<Candidate> search(const FrameDescription& query, StageTimes& times) const;
     DetectorOutcome find_loop(const FrameDescription& query, StageTimes& times) const;
@@ -87,6 +89,7 @@ class LoopDetector
     void add_pose(DetectorOutcome& outcome, const FrameDescription& query, StageTimes& times) const;
     void remember(FrameDescription description);
 
+    std::size_t global_dimension_;
     TIndexOptions index_options_;
     TCandidateOptions candidate_options_;
     bool estimates_poses_;
@@ -101,11 +104,9 @@ class LoopDetector
 
     std::unordered_map<FrameId, Place> places_;
     std::size_t map_bytes_ = 0;
-    double clock_ = 0;  ///< seconds since the first frame; never runs backwards
-    std::optional<double> last_timestamp_;
+    RecordingClock clock_;
     std::optional<FrameId> last_frame_;
     std::optional<FrameId> last_released_;  ///< by the delay queue
-    std::size_t clock_jumps_ = 0;
 };
 
 }  // namespace fild

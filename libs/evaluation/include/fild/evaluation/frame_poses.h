@@ -43,16 +43,27 @@ cv::Matx33d rotation_of(const cv::Vec4d& quaternion);
 double angle_between(const FramePose& a, const FramePose& b);
 
 /** Reads poses in KITTI's format, 12 numbers a line (row-major 3x4 matrix), line i for frame i.
+ *  Matrices that are rounded are replaced by the rotation nearest to them.
  *  \throw std::runtime_error naming file and line, or both counts when they differ. */
 std::vector<PosedFrame> read_kitti_poses(const std::string& path,
                                          const std::vector<FrameVerdict>& frames);
 
-/** Reads poses in TUM's format, `seconds x y z qx qy qz qw` a line. With one line for each frame,
- *  line i belongs to frame i; else each frame takes the line nearest in time that is at most
- *  kMaxPoseTimeDifference away, or has no pose.
- *  \throw std::runtime_error naming file and line, or when no frame has a pose. */
-std::vector<PosedFrame> read_tum_poses(const std::string& path,
-                                       const std::vector<FrameVerdict>& frames);
+/** Poses of a file in TUM's format, for the frames of a run. */
+struct TumPoses
+{
+    std::vector<PosedFrame> frames;  ///< of the run, all of them
+    /** 0: poses were found by time. Else line i was taken for frame i, though their times differ by
+     *  at most so many seconds. */
+    double seconds_off = 0;
+};
+
+/** Reads poses in TUM's format, `seconds x y z qx qy qz qw` a line. Each frame takes the line
+ *  nearest in time that is at most kMaxPoseTimeDifference away, or has no pose. When fewer than
+ * half of the frames have one, but there are as many lines as frames, the times are of another
+ * clock, and line i belongs to frame i. Quaternions that are rounded, to a tenth or finer, are
+ * normalised. \throw std::runtime_error naming file and line, when no frame has a pose, or when
+ * lines of another clock are not in the order of their times. */
+TumPoses read_tum_poses(const std::string& path, const std::vector<FrameVerdict>& frames);
 
 /** Reads a trajectory in TUM's format, in the order of time.
  *  \throw std::runtime_error naming file and line, or when it holds no pose. */

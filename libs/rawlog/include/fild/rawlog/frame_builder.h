@@ -4,6 +4,7 @@
 #include "fild/core/frame.h"
 #include "fild/rawlog/input_options.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,9 +53,19 @@ class FrameBuilder
     bool accepts(const mrpt::obs::CObservation& observation);
 
     /** The frame of an accepted observation. One that cannot be used has Frame::defect:
-     *  missing_image, unsupported_image, image_size_changed (against this camera's first image) or
-     *  repeated_timestamp (of this camera's observation before; its image is not read).
+     *  missing_image, unsupported_image, image_size_changed (it cannot be brought to the size of
+     *  this camera's first image) or repeated_timestamp (of this camera's observation before; its
+     *  image is not read). An observation without a time stamp takes that of this camera's frame
+     *  before; 0 when there is none.
      *  An embedded image that needs no undistortion is shared with the observation, not copied.
+     *
+     *  All frames of a camera have the size of its first image. One of another size, as a second
+     *  session with another camera mode has, is scaled to it. Where the aspect ratios differ by
+     *  more than 3 %, the larger of the two scale factors is used and the overhang cut off equally
+     *  on both sides. Camera, right image and depth follow. Its calibration must be for its own
+     *  size, or, when the aspect ratios agree, for the first one's; any other is left out.
+     *  image_size_changed: the aspect ratios differ by a factor of more than 1.5, or the sizes by
+     *  more than 8.
      *
      *  With FrameContent::metric the right image of CObservationStereoImages is undistorted as the
      *  left one is; the range image of CObservation3DRangeScan becomes depths of the pixels of
@@ -65,14 +76,19 @@ class FrameBuilder
      *  \throw std::invalid_argument when the observation has no camera image.
      *  \throw std::runtime_error when an image is missing and on_missing_image is `stop` (with
      *         FrameContent::metric, a right or depth image stored outside the rawlog too), or when
-     *         a calibration is for another image size. */
+     *         the calibration of an image that is not scaled is for another size. */
     Frame build(const mrpt::obs::CObservation& observation);
 
-    /** Counts an accepted observation as a frame without reading its image. */
-    void skip(const mrpt::obs::CObservation& observation);
+    /** Counts an accepted observation as a frame. Reads its image only while the size of this
+     *  camera's first image is not known: frames that are built later are scaled to it.
+     *  \return the frame without its image. */
+    Frame skip(const mrpt::obs::CObservation& observation);
 
     /** Id of the next frame; as a number, how many there were. */
     FrameId next_id() const;
+
+    /** How many frames build() has scaled to the size of their camera's first image. */
+    std::size_t scaled_frames() const;
 
     /** Path of the first externally stored image (with FrameContent::metric, or right or depth
      *  image) that could not be read; empty: none was missing. */

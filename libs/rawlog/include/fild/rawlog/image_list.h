@@ -34,7 +34,8 @@ struct TimestampSource
 };
 
 /** The images (.png .jpg .jpeg .pgm .ppm .pnm .bmp .tif .tiff, in either case) of a folder, without
- *  its subfolders, by name in the order of bytes: img10 stands before img2.
+ *  its subfolders and hidden files, by name: whole numbers by their value (img2 stands before
+ *  img10), all else in the order of bytes.
  *  \throw std::runtime_error when there is no such folder or no image in it. */
 std::vector<ListedImage> list_image_folder(const std::string& folder);
 

@@ -56,7 +56,8 @@ struct RunSummary
     std::size_t camera_frames = 0;
     std::size_t loop_closures = 0;
     std::map<Rejection, std::size_t> frames_by_rejection;  ///< `none`: the loop closures
-    std::size_t clock_jumps = 0;  ///< time stamps smaller than the one before
+    std::size_t clock_jumps = 0;  ///< of the cameras' time stamps: RecordingClock::jumps()
+    std::size_t scaled_frames = 0;  ///< to the size of their camera's first image
     std::vector<std::string> ignored_camera_labels;
     double mean_keypoints = 0;
     std::size_t match_pictures = 0;  ///< of loop closures and of rejected pairs
