@@ -112,6 +112,7 @@ void run(const AppOptions& options)
     if (!options.birds_eye_path.empty())
     {
         fild::refuse_existing(options.birds_eye_path);
+        fild::remove_unfinished_of(options.birds_eye_path);
         birds_eye.emplace(options.birds_eye_path);
     }
     std::optional<fild::Town> town;  // painted once the request is known to be good

@@ -308,9 +308,19 @@ TEST_F(RawlogLoopClosure, RemovesWhatAKilledRunLeft)
 {
     write_rawlog(two_laps());
     fs::create_directory(path("out"));
-    write_text(path("out/frames.csv.part-1"), "half");
+    write_text(path("out/frames.csv.fild-part-1"), "half");
     ASSERT_EQ(run().exit_code, 0);
     EXPECT_EQ(output_names(), kAllOutputs);
+}
+
+TEST_F(RawlogLoopClosure, LeavesFilesOfOthersInItsFolder)
+{
+    write_rawlog(two_laps());
+    fs::create_directories(path("out/matches"));
+    const auto others = {"out/big.tar.part-01", "out/x.part-1234", "out/matches/1_0.jpg.part-7"};
+    for (const auto* name : others) write_text(path(name), "mine");
+    ASSERT_EQ(run().exit_code, 0);
+    for (const auto* name : others) EXPECT_EQ(read_text(path(name)), "mine") << name;
 }
 
 TEST_F(RawlogLoopClosure, LooksAtTwoCamerasWhenAskedTo)
