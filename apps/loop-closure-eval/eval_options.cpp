@@ -137,15 +137,8 @@ void check(const Arguments& a, const EvalOptions& options)
 {
     if (a.run.isSet() == a.rawlog.isSet()) throw WrongUsage("give either --run or --rawlog");
     if (a.run.isSet())
-        refuse_beside("run",
-                      a.config,
-                      a.overrides,
-                      a.swept,
-                      a.changes,
-                      a.seeds,
-                      a.max_frames,
-                      a.jobs,
-                      a.quiet);
+        refuse_beside(
+            "run", a.config, a.overrides, a.swept, a.changes, a.seeds, a.max_frames, a.jobs);
     else
         refuse_beside("rawlog", a.trajectory, a.true_trajectory, a.align_scale, a.step);
     if (a.swept.isSet()) refuse_beside("sweep", a.changes);

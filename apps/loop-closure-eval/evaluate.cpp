@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate.h"
 
+#include "app_main.h"
 #include "fild/evaluation/run_evaluation.h"
 
 #include <filesystem>
@@ -29,8 +30,7 @@ void take_trajectories(const std::vector<std::string>& paths, RunResults& run)
     {
         const auto name = std::filesystem::path(path).stem().string();
         for (const auto& other : run.trajectories)
-            if (other.first == name)
-                throw std::invalid_argument("two trajectories are named " + name);
+            if (other.first == name) throw WrongUsage("two trajectories are named " + name);
         run.trajectories.emplace_back(name, read_tum_trajectory(path));
     }
 }
@@ -65,7 +65,7 @@ EvaluationReport evaluate(const EvalOptions& options)
     auto ground_truth = load_truth(options.truth, frames);
     const auto true_poses = load_trajectory_truth(options, std::move(ground_truth.poses), frames);
     if (!true_poses && !options.trajectories.empty())
-        throw std::invalid_argument(
+        throw WrongUsage(
             "--trajectory needs --true-trajectory: the ground truth is "
             "labels");
     EvaluationReport report;

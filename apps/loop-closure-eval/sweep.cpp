@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep.h"
 
+#include "app_main.h"
 #include "fild/core/parallel_for.h"
 #include "fild/detector/loop_detector.h"
 #include "fild/rawlog/frame_builder.h"
@@ -292,19 +293,19 @@ void collect(std::vector<std::vector<Run>>& points,
                              std::to_string(points.size()) + " points";
 }
 
-/** \throw std::invalid_argument unless the detector has the section, or for the seed. */
+/** \throw WrongUsage unless the detector has the section, or for the seed. */
 void require_sweepable(const std::string& key)
 {
     TLoopClosureStreamOptions options;
     const auto section = key.substr(0, key.find('.'));
-    if (key == "runtime.seed") throw std::invalid_argument("runtime.seed is swept by --seeds");
+    if (key == "runtime.seed") throw WrongUsage("runtime.seed is swept by --seeds");
     std::string known;
     for (const auto& [name, ignored] : options.sections())
     {
         if (name == section) return;
         known.append(" [").append(name).append("]");
     }
-    throw std::invalid_argument("no loop closure depends on " + key + "; sections:" + known);
+    throw WrongUsage("no loop closure depends on " + key + "; sections:" + known);
 }
 
 void require_sweepable(const SweepRequest& request)
@@ -314,12 +315,12 @@ void require_sweepable(const SweepRequest& request)
         require_sweepable(swept.key);
         const auto is_same = [&](const SweptKey& other) { return other.key == swept.key; };
         if (std::count_if(request.keys.begin(), request.keys.end(), is_same) > 1)
-            throw std::invalid_argument(swept.key + " is swept twice");
+            throw WrongUsage(swept.key + " is swept twice");
     }
     for (const auto& change : request.changes)
     {
         const auto words = words_of(change);
-        if (words.empty()) throw std::invalid_argument("an empty --change changes nothing");
+        if (words.empty()) throw WrongUsage("an empty --change changes nothing");
         for (const auto& word : words) require_sweepable(word.substr(0, word.find('=')));
     }
 }

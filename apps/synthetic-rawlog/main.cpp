@@ -127,8 +127,11 @@ void run(const AppOptions& options)
         if (fild::interrupted()) throw std::runtime_error("interrupted; nothing was written");
         progress.update(static_cast<double>(done) / static_cast<double>(frames), done, loops);
     };
-    const auto made =
-        write_synthetic_recording(request, request.options.town.street_grid(), draw, on_frame);
+    const auto made = fild::as_usage(
+        [&] {
+            return write_synthetic_recording(
+                request, request.options.town.street_grid(), draw, on_frame);
+        });
     if (birds_eye) write_birds_eye(*birds_eye, request.options, *town);
     std::cout << made.paths.front() << ": " << made.frames << " frames, "
               << static_cast<long>(made.metres) << " m, " << made.queries_with_loop

@@ -145,6 +145,14 @@ TEST_F(ImagesToRawlog, ShowsHelpAndVersion)
     EXPECT_THAT(version.out, HasSubstr("0.1"));
 }
 
+TEST_F(ImagesToRawlog, PrintsNothingWhenItIsQuiet)
+{
+    draw("in/a.png");
+    const auto finished = run("--images in --rate 1 --output run.rawlog --quiet");
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_EQ(finished.out + finished.err, "");
+}
+
 TEST_F(ImagesToRawlog, RemovesWhatAKilledRunLeft)
 {
     draw("in/a.png");
