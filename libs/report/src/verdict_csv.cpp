@@ -89,7 +89,7 @@ VerdictCsv::VerdictCsv(const std::string& path) : file_(path)
 void VerdictCsv::add(const FrameVerdict& verdict, const std::string& depth_source)
 {
     write_verdict(file_.stream(), verdict, depth_source);
-    file_.stream() << '\n';
+    file_.stream() << '\n' << std::flush;
 }
 
 LoopCsv::LoopCsv(const std::string& path) : file_(path)
