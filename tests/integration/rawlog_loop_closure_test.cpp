@@ -414,6 +414,25 @@ TEST_F(RawlogLoopClosure, IsNotCompleteWithoutItsReport)
     EXPECT_THAT(summary()["ended_early"].get<std::string>(), HasSubstr("no report"));
 }
 
+TEST_F(RawlogLoopClosure, ReadsBackALabelWithALineBreak)
+{
+    write_rawlog(two_laps("LEFT\n\"front\", upper"));
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(output_names(), kAllOutputs);
+    EXPECT_THAT(read_text(path("out/report.html")), HasSubstr("LEFT\\n"));
+}
+
+TEST_F(RawlogLoopClosure, MatchesNoPatternWithAnEndlessLabel)
+{
+    write_rawlog(two_laps(std::string(100000, 'x')));
+    const auto line = error("--set 'input.sensor_label=.*'");
+    EXPECT_THAT(line, HasSubstr("camera labels there"));
+    EXPECT_LT(line.size(), 8000U);
+    const auto value = std::string(70000, '7') + "x";
+    EXPECT_LT(error("--set index.delay_seconds=" + value).size(), 500U);
+    EXPECT_LT(error("--set 'input.sensor_label=" + value + "'").size(), 500U);
+}
+
 TEST_F(RawlogLoopClosure, LooksAtTwoCamerasWhenAskedTo)
 {
     auto objects = two_laps("A");
