@@ -235,6 +235,16 @@ void evaluate_runs(const SweepRequest& request,
     parallel_for(request.jobs, runs.size(), evaluate_run);
 }
 
+/** All points are held to one least age of a candidate, so that their scores compare. */
+double longest_delay(const std::vector<std::vector<Run>>& points)
+{
+    double longest = 0;
+    for (const auto& runs : points)
+        for (const auto& run : runs)
+            longest = std::max(longest, run.options.detector.index.delay_seconds);
+    return longest;
+}
+
 /** Of each point, the runs with each of the seeds. */
 std::vector<std::vector<Run>> plan(const SweepRequest& request, const std::vector<Choice>& choices)
 {
@@ -342,8 +352,9 @@ SweepReport sweep(const SweepRequest& request)
     for (const auto& runs : group_by_features(points))
     {
         const auto& options = runs.front()->options;
-        const auto truth = load_truth(request.truth, frames_of(request, options.input));
-        report.truth = {request.truth.file, truth.content, truth.remarks, request.truth.protocol};
+        const auto of_runs = for_run(request.truth, longest_delay(points));
+        const auto truth = load_truth(of_runs, frames_of(request, options.input));
+        report.truth = {of_runs.file, truth.content, truth.remarks, of_runs.protocol};
         const auto recording = extract_features(request, options);
         report.remarks = remarks_on(recording);
         evaluate_runs(request, recording, *truth.truth, runs);

@@ -100,7 +100,9 @@ void RunOutput::write_map_files()
 
 void RunOutput::judge()
 {
-    if (request_.truth) truth_ = judge_run(request_.output, *request_.truth);
+    if (!request_.truth) return;
+    const double delay_seconds = options_.stream.detector.index.delay_seconds;
+    truth_ = judge_run(request_.output, *request_.truth, delay_seconds);
 }
 
 /** Without a pose there is nothing to draw: write_map_files() has said so. */
