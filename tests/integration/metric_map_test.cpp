@@ -46,6 +46,7 @@ constexpr const char* kConfig =
     "[render]\nenabled = false\n[report]\nwrite_html = false\n";
 
 const std::vector<std::string> kMapFiles = {"map.simplemap",
+                                            "poses.csv",
                                             "poses.g2o",
                                             "poses.graph",
                                             "trajectory_input.tum",
