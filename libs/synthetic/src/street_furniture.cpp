@@ -19,7 +19,7 @@ namespace
 class PlaceFrame
 {
  public:
-    PlaceFrame(const Place& place, double base) : place_(place), base_(base) {}
+    PlaceFrame(const StandingObject& place, double base) : place_(place), base_(base) {}
 
     cv::Point3d at(double ahead, double left, double up) const
     {
@@ -29,7 +29,7 @@ class PlaceFrame
     }
 
  private:
-    const Place& place_;
+    const StandingObject& place_;
     double base_;
 };
 
@@ -507,7 +507,7 @@ void add_wheels(TexturedMesh& mesh, const PlaceFrame& frame, Lot& lot)
 }
 }  // namespace
 
-void add_trees(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& trees)
+void add_trees(mrpt::opengl::COpenGLScene& scene, const std::vector<StandingObject>& trees)
 {
     TexturedMesh trunks;
     TexturedMesh crowns;
@@ -530,7 +530,8 @@ void add_trees(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& tree
     scene.insert(crowns.object(paint_leaves()));
 }
 
-void add_lamp_posts(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& lamp_posts)
+void add_lamp_posts(mrpt::opengl::COpenGLScene& scene,
+                    const std::vector<StandingObject>& lamp_posts)
 {
     TexturedMesh posts;
     for (const auto& place : lamp_posts)
@@ -545,7 +546,7 @@ void add_lamp_posts(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>&
     scene.insert(posts.object(paint_noise({64, 256}, {62, 66, 60}, 0.15, lot)));
 }
 
-void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& cars)
+void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<StandingObject>& cars)
 {
     TexturedMesh bodies;
     TexturedMesh wheels;

@@ -12,8 +12,9 @@ class COpenGLScene;
 
 namespace fild
 {
-void add_trees(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& trees);
-void add_lamp_posts(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& lamp_posts);
-void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& cars);
+void add_trees(mrpt::opengl::COpenGLScene& scene, const std::vector<StandingObject>& trees);
+void add_lamp_posts(mrpt::opengl::COpenGLScene& scene,
+                    const std::vector<StandingObject>& lamp_posts);
+void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<StandingObject>& cars);
 
 }  // namespace fild
