@@ -4,16 +4,16 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <locale>
 #include <stdexcept>
-#include <system_error>
 #include <sys/file.h>
+#include <system_error>
 #include <unistd.h>
 #include <utility>
-
 #include <vector>
+
 namespace fild
 {
-WholeFile::WholeFile(std::string path)
 namespace
 {
 // No other program ends its names like this: such a file may be removed.
@@ -86,6 +86,7 @@ void sync_to_disk(const std::string& path)
                                  " to disk: " + std::generic_category().message(error_number));
 }
 
+WholeFile::WholeFile(std::string path)
     : path_(std::move(path)),
       temporary_path_(unfinished_path(path_)),
       stream_(temporary_path_, std::ios::binary | std::ios::trunc)
@@ -93,6 +94,8 @@ void sync_to_disk(const std::string& path)
     if (!stream_)
         throw std::runtime_error("cannot write " + path_ + ": " +
                                  std::generic_category().message(errno));
+    stream_.imbue(std::locale::classic());  // whatever the program around us has set
+    lock_.emplace(temporary_path_);
 }
 
 WholeFile::~WholeFile()
@@ -108,15 +111,15 @@ void WholeFile::commit()
     stream_.close();
     if (!stream_)
         throw std::runtime_error("cannot write " + path_ + " to its end: is the disk full?");
+    sync_to_disk(temporary_path_);
     std::error_code error;
     std::filesystem::rename(temporary_path_, path_, error);
     if (error) throw std::runtime_error("cannot rename to " + path_ + ": " + error.message());
-    sync_to_disk(temporary_path_);
     committed_ = true;
+    sync_to_disk(folder_of(path_));
 }
 
 void refuse_existing(const std::string& path)
-    sync_to_disk(folder_of(path_));
 {
     if (std::filesystem::exists(std::filesystem::symlink_status(path)))
         throw std::runtime_error(path + " exists already; remove it or choose another output");

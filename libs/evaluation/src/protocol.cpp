@@ -3,6 +3,7 @@
 
 #include "fild/core/parse_number.h"
 
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 
@@ -43,6 +44,7 @@ Protocol parse_protocol(const std::string& word)
 std::string to_word(const Protocol& protocol)
 {
     std::ostringstream word;
+    word.imbue(std::locale::classic());
     switch (protocol.kind)
     {
         case Protocol::Kind::exact:
@@ -61,6 +63,7 @@ std::string to_word(const Protocol& protocol)
 std::string rule_of(const Protocol& protocol)
 {
     std::ostringstream rule;
+    rule.imbue(std::locale::classic());
     rule << "a loop closure is right when ";
     switch (protocol.kind)
     {

@@ -2,6 +2,7 @@
 #include "sweep_parts.h"
 
 #include <iomanip>
+#include <locale>
 #include <set>
 #include <sstream>
 
@@ -12,6 +13,7 @@ namespace
 std::ostringstream begin_csv(const SweepReport& report)
 {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     for (const auto& key : report.keys) out << key << ',';
     out << std::fixed << std::setprecision(6);
     return out;
