@@ -55,9 +55,9 @@ TEST(SolveGraph, EndsWhenItIsCancelled)
     const auto graph = two_laps_and_a_false_loop();
     int calls = 0;
     solve_graph(graph, TGraphOptions(), [&] { ++calls; });
-    const auto loops = static_cast<int>(graph.loops.size());
-    ASSERT_GT(calls, 2 * loops) << "the loops, the clique and iterations of the optimiser";
-    for (const int n : {1, loops, 2 * loops, calls})
+    ASSERT_GT(calls, static_cast<int>(graph.loops.size()))
+        << "while loops are compared, in the search for the clique, after each iteration";
+    for (int n = 1; n <= calls; ++n)
         EXPECT_EQ(message_of<std::runtime_error>(
                       [&] { solve_graph(graph, TGraphOptions(), cancelled_at(n)); }),
                   "interrupted")
