@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "error_line.h"
+#include "standard_streams.h"
+
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
 #include <exception>
@@ -48,26 +51,44 @@ inline bool parse_arguments(TCLAP::CmdLine& command, int argc, char** argv)
     return command.parse(argc, const_cast<const char**>(argv));
 }
 
+/** Calls a function whose std::invalid_argument means that the command line is wrong.
+ *  \throw WrongUsage instead, with the same text. */
+template <class Function>
+auto as_usage(Function&& function)
+{
+    try
+    {
+        return function();
+    }
+    catch (const std::invalid_argument& error)
+    {
+        throw WrongUsage(error.what());
+    }
+}
+
 /** What every app's main() does: parses, runs, and turns errors into one line on stderr.
- *  \param parse  argc, argv -> std::optional of options; nothing when there is nothing to run.
+ *  \param parse  argc, argv -> std::optional of options; nothing when there is nothing to run. Its
+ *                std::invalid_argument counts as WrongUsage.
  *  \param run    options -> nothing; failures are exceptions.
  *  \return the exit status: 0 good, 1 failed, 2 wrong usage. */
 template <class Parse, class Run>
 int app_main(const std::string& name, int argc, char** argv, Parse&& parse, Run&& run)
 {
+    prepare_standard_streams();
     try
     {
-        if (auto options = parse(argc, argv)) run(std::move(*options));
+        if (auto options = as_usage([&] { return parse(argc, argv); })) run(std::move(*options));
+        require_printed();
         return 0;
     }
-    catch (const std::invalid_argument& error)  // of the command line or made from it
+    catch (const WrongUsage& error)
     {
-        std::cerr << name << ": " << error.what() << "; see --help\n";
+        std::cerr << name << ": " << error_line(error) << "; see --help\n";
         return 2;
     }
     catch (const std::exception& error)
     {
-        std::cerr << name << ": " << error.what() << "\n";
+        std::cerr << name << ": " << error_line(error) << "\n";
         return 1;
     }
 }

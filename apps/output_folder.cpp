@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_folder.h"
 
+#include "fild/core/whole_file.h"
+
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
@@ -17,15 +19,6 @@ namespace
 std::string reason(int error_number)
 {
     return std::generic_category().message(error_number);
-}
-
-/** Is it named `NAME.part-PID`, as WholeFile does until a file is whole? */
-bool is_unfinished(const std::string& name)
-{
-    const std::string mark = ".part-";
-    const auto at = name.rfind(mark);
-    return at != std::string::npos && at > 0 && at + mark.size() < name.size() &&
-           name.find_first_not_of("0123456789", at + mark.size()) == std::string::npos;
 }
 }  // namespace
 
@@ -48,21 +41,13 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path))
                                            "; wait for it or choose another --output"
                                      : "cannot lock " + path_ + ": " + reason(error_number));
     }
-    remove_unfinished_files();
+    remove_unfinished_in(path_);
 }
 
 // The lock file stays: to remove it would let two runs lock two files of one name.
 OutputFolder::~OutputFolder()
 {
     ::close(lock_);
-}
-
-void OutputFolder::remove_unfinished_files() const
-{
-    std::error_code ignored;  // they are in nobody's way
-    for (const auto& entry : std::filesystem::directory_iterator(path_, ignored))
-        if (is_unfinished(entry.path().filename().string()))
-            std::filesystem::remove(entry.path(), ignored);
 }
 
 std::string OutputFolder::file(const std::string& name) const

@@ -6,7 +6,8 @@
 namespace fild
 {
 /** The folder that receives results, made if need be and held against a second run while this
- * object lives. Not thread-safe: one caller at a time. */
+ *  object lives. What a killed run left unfinished in it is removed.
+ *  Not thread-safe: one caller at a time. */
 class OutputFolder
 {
  public:
@@ -20,9 +21,6 @@ class OutputFolder
     std::string file(const std::string& name) const;
 
  private:
-    /** Those of a run that was killed; this run holds the lock, so nobody is writing them. */
-    void remove_unfinished_files() const;
-
     std::string path_;
     int lock_ = -1;  ///< descriptor of the lock file
 };

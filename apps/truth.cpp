@@ -4,6 +4,7 @@
 #include "fild/rawlog/recorded_path.h"
 
 #include <filesystem>
+#include <stdexcept>
 
 namespace fild
 {
@@ -39,6 +40,29 @@ bool is_rawlog(const std::string& file)
     const std::filesystem::path name(file);
     return name.extension() == ".rawlog" ||
            (name.extension() == ".gz" && name.stem().extension() == ".rawlog");
+}
+
+Protocol protocol_for(const std::string& file, const std::string& word)
+{
+    constexpr const char* kForPoses = "radius:5";
+    const auto asked = word.empty() ? std::optional<Protocol>() : parse_protocol(word);
+    const bool with_poses = is_rawlog(file) || holds_poses(file);
+    if (!asked) return parse_protocol(with_poses ? kForPoses : "exact");
+    const bool by_radius = asked->kind == Protocol::Kind::radius;
+    if (with_poses && !by_radius)
+        throw std::invalid_argument(file + " holds poses, not labels: --protocol must be radius:R");
+    if (!with_poses && by_radius)
+        throw std::invalid_argument(file +
+                                    " holds labels, not poses: --protocol must be exact or "
+                                    "window:N");
+    return *asked;
+}
+
+TruthOptions for_run(TruthOptions options, std::optional<double> delay_seconds)
+{
+    if (delay_seconds && !options.min_age_is_given)
+        options.protocol.min_age_seconds = *delay_seconds;
+    return options;
 }
 
 TruePoses load_poses(const std::string& file,

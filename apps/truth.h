@@ -5,6 +5,7 @@
 #include "fild/evaluation/ground_truth.h"
 #include "fild/evaluation/protocol.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,19 @@ struct TruthOptions
     std::string file;
     std::string sensor;  ///< of a rawlog; empty: its only one
     Protocol protocol;
+    bool min_age_is_given = false;  ///< by the user; else it is the delay of the run
 };
+
+/** The protocol for a ground-truth file, of which only the first lines are read.
+ *  \param word  what the user asks for; empty: `radius:5` for poses, `exact` for labels.
+ *  \throw std::invalid_argument when the word is not a protocol, or not one for such a file.
+ *  \throw std::runtime_error as holds_poses(). */
+Protocol protocol_for(const std::string& file, const std::string& word);
+
+/** The options for a run with this delay: a younger candidate is one that it never looks at, so it
+ *  is not missed, unless the user gives another least age.
+ *  \param delay_seconds  of the run; nothing when it is not known. */
+TruthOptions for_run(TruthOptions options, std::optional<double> delay_seconds);
 
 /** Files that load_ground_truth() knows, and rawlogs with robot poses or GPS.
  *  \throw std::runtime_error, std::invalid_argument as load_ground_truth(). */

@@ -15,9 +15,10 @@ struct TruthArguments
     TruthArguments(TCLAP::CmdLine& command, bool required)
         : protocol("p",
                    "protocol",
-                   "What is a loop by poses: exact (default), window:FRAMES or radius:METRES",
+                   "When a loop closure is right. Labels: exact (default) or window:FRAMES. Poses: "
+                   "radius:METRES (radius:5)",
                    false,
-                   "exact",
+                   "",
                    "PROTOCOL",
                    command),
           sensor("",
@@ -37,12 +38,17 @@ struct TruthArguments
     {
     }
 
-    /** Nothing when no ground truth is given. \throw WrongUsage, std::invalid_argument */
+    /** Nothing when no ground truth is given. Looks into the file, so that a wrong one is reported
+     *  before the long work begins.
+     *  \throw WrongUsage, std::invalid_argument, std::runtime_error as protocol_for(). */
     std::optional<TruthOptions> options()
     {
+        if (protocol.isSet() && protocol.getValue().empty())
+            throw WrongUsage("--protocol is empty");
         if (file.isSet())
-            return TruthOptions{
-                file.getValue(), sensor.getValue(), parse_protocol(protocol.getValue())};
+            return TruthOptions{file.getValue(),
+                                sensor.getValue(),
+                                protocol_for(file.getValue(), protocol.getValue())};
         if (protocol.isSet() || sensor.isSet())
             throw WrongUsage("--protocol and --truth-sensor belong to --ground-truth");
         return std::nullopt;

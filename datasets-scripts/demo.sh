@@ -7,7 +7,7 @@ source "$(dirname "$(realpath "$0")")/run_dataset.sh"
 usage="Usage: demo.sh [RAWLOG | IMAGE_FOLDER [OUTPUT_FOLDER]]
 Installs the Debian packages (root or sudo), builds, gets the network's model and finds the loop
 closures of a rawlog, or of a folder of images, taken by name at DEMO_RATE (1) images a second.
-Without an input (or with an empty one, "") it first draws a drive through a synthetic town, and scores the result against
+Without an input (or with an empty one, \"\") it first draws a drive through a synthetic town, and scores the result against
 the loops that are truly there; DEMO_PRESET is the size of the drive, tiny, demo or large (demo).
 Results go to OUTPUT_FOLDER (demo-results). DEMO_CONFIG names another .ini than config-ini/default.ini.
 $rerun_help"

@@ -14,9 +14,9 @@ freiburg3_long_office_household. DATASET_FOLDER holds
   groundtruth.txt                    may be missing: then no score
 
 The camera is that of freiburg1, 2 or 3, by the folder's name; TUM_CAMERA=1, 2 or 3 says so for another
-name. All frames are used. Configuration: config-ini/default.ini, whose delay is 30 s: a shorter sequence
+name. All frames are used. Configuration: config-ini/default.ini, whose delay is 20 s: a shorter sequence
 has no loops. OUTPUT_FOLDER is tum_rgbd-results. Scored as radius:0.5 (metres) with poses turned
-by at most 30 degrees and candidates at least 30 s old.
+by at most 30 degrees and candidates at least as old as the delay.
 $rerun_help
 
 $environment_help"

@@ -15,6 +15,7 @@ struct AppOptions
 {
     fild::LayoutRequest input;
     fild::ImageRawlogRequest output;
+    bool quiet = false;
 };
 
 /** The words for --format; TCLAP shows them as <list|kitti|...>. */
@@ -69,6 +70,7 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     using OptionalText = OptionalArg<std::string>;
     TCLAP::CmdLine command("Writes a rawlog from images on disk.", ' ', FILD_VERSION);
     // TCLAP's help shows the options from the last to the first.
+    TCLAP::SwitchArg quiet("q", "quiet", "Print nothing unless something fails", command);
     TCLAP::SwitchArg embed("", "embed", "Pixels in the rawlog, not in NAME_Images/", command);
     Text label("", "sensor-label", "Name of the camera", false, "CAMERA1", "NAME", command);
     OptionalArg<double> scale(
@@ -100,6 +102,7 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     options.input.right_dir = right.get();
     options.input.depth_dir = depth.get();
     options.input.depth_units_per_metre = scale.get();
+    options.quiet = quiet.getValue();
     options.output = {output.getValue(), label.getValue(), embed.getValue()};
     return options;
 }
@@ -117,8 +120,11 @@ void print(const fild::ImageRawlogSummary& summary, const AppOptions& options)
 
 void run(const AppOptions& options)
 {
-    const auto recording = fild::read_recording(options.input);
-    print(fild::write_image_rawlog(recording, options.output), options);
+    const auto recording = fild::as_usage([&] { return fild::read_recording(options.input); });
+    const auto summary =
+        fild::as_usage([&] { return fild::write_image_rawlog(recording, options.output); });
+    if (options.quiet) return;
+    print(summary, options);
     for (const auto& what : recording.left_out) std::cout << "left out: " << what << "\n";
 }
 

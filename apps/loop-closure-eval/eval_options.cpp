@@ -89,7 +89,7 @@ struct Arguments
                      command};
     Real age{"",
              "min-age",
-             "radius:R: a candidate is so much older, seconds (30)",
+             "radius:R: least age of a candidate, seconds (the delay of the run; 30 if unknown)",
              false,
              defaults.min_age_seconds,
              "SECONDS",
@@ -137,15 +137,8 @@ void check(const Arguments& a, const EvalOptions& options)
 {
     if (a.run.isSet() == a.rawlog.isSet()) throw WrongUsage("give either --run or --rawlog");
     if (a.run.isSet())
-        refuse_beside("run",
-                      a.config,
-                      a.overrides,
-                      a.swept,
-                      a.changes,
-                      a.seeds,
-                      a.max_frames,
-                      a.jobs,
-                      a.quiet);
+        refuse_beside(
+            "run", a.config, a.overrides, a.swept, a.changes, a.seeds, a.max_frames, a.jobs);
     else
         refuse_beside("rawlog", a.trajectory, a.true_trajectory, a.align_scale, a.step);
     if (a.swept.isSet()) refuse_beside("sweep", a.changes);
@@ -196,6 +189,7 @@ std::optional<EvalOptions> parse_eval_options(int argc, char** argv)
     options.truth = *arguments.truth.options();
     options.truth.protocol.max_angle_deg = arguments.angle.getValue();
     options.truth.protocol.min_age_seconds = arguments.age.getValue();
+    options.truth.min_age_is_given = arguments.age.isSet();
     options.trajectories = arguments.trajectory.getValue();
     options.true_trajectory = arguments.true_trajectory.getValue();
     options.trajectory_error.align_scale = arguments.align_scale.getValue();

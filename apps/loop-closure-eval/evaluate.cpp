@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate.h"
 
+#include "app_main.h"
 #include "fild/evaluation/run_evaluation.h"
+#include "fild/report/run_summary.h"
 
+#include <algorithm>
 #include <filesystem>
-#include <stdexcept>
+#include <optional>
 #include <utility>
 
 namespace fild
@@ -29,8 +32,7 @@ void take_trajectories(const std::vector<std::string>& paths, RunResults& run)
     {
         const auto name = std::filesystem::path(path).stem().string();
         for (const auto& other : run.trajectories)
-            if (other.first == name)
-                throw std::invalid_argument("two trajectories are named " + name);
+            if (other.first == name) throw WrongUsage("two trajectories are named " + name);
         run.trajectories.emplace_back(name, read_tum_trajectory(path));
     }
 }
@@ -48,6 +50,16 @@ std::vector<RunResults> read_runs(const EvalOptions& options)
     return runs;
 }
 
+/** Runs that are evaluated together are held to one least age of a candidate. */
+std::optional<double> longest_delay(const std::vector<std::string>& folders)
+{
+    std::optional<double> longest;
+    for (const auto& folder : folders)
+        if (const auto delay = read_run_delay(folder + "/summary.json"))
+            longest = std::max(longest.value_or(0), *delay);
+    return longest;
+}
+
 std::vector<std::string> remarks_on(const std::vector<RunResults>& runs)
 {
     std::string folders;
@@ -62,15 +74,15 @@ EvaluationReport evaluate(const EvalOptions& options)
 {
     const auto runs = read_runs(options);
     const auto& frames = runs.front().frames;
-    auto ground_truth = load_truth(options.truth, frames);
+    const auto truth = for_run(options.truth, longest_delay(options.runs));
+    auto ground_truth = load_truth(truth, frames);
     const auto true_poses = load_trajectory_truth(options, std::move(ground_truth.poses), frames);
     if (!true_poses && !options.trajectories.empty())
-        throw std::invalid_argument(
+        throw WrongUsage(
             "--trajectory needs --true-trajectory: the ground truth is "
             "labels");
     EvaluationReport report;
-    report.truth = {
-        options.truth.file, ground_truth.content, ground_truth.remarks, options.truth.protocol};
+    report.truth = {truth.file, ground_truth.content, ground_truth.remarks, truth.protocol};
     for (const auto& run : runs)
     {
         report.runs.push_back(evaluate_loops(run, *ground_truth.truth));

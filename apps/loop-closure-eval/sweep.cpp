@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep.h"
 
+#include "app_main.h"
 #include "fild/core/parallel_for.h"
 #include "fild/detector/loop_detector.h"
 #include "fild/rawlog/frame_builder.h"
@@ -241,6 +242,16 @@ void evaluate_runs(const SweepRequest& request,
     parallel_for(request.jobs, runs.size(), evaluate_run);
 }
 
+/** All points are held to one least age of a candidate, so that their scores compare. */
+double longest_delay(const std::vector<std::vector<Run>>& points)
+{
+    double longest = 0;
+    for (const auto& runs : points)
+        for (const auto& run : runs)
+            longest = std::max(longest, run.options.detector.index.delay_seconds);
+    return longest;
+}
+
 /** Of each point, the runs with each of the seeds. */
 std::vector<std::vector<Run>> plan(const SweepRequest& request, const std::vector<Choice>& choices)
 {
@@ -299,19 +310,19 @@ void collect(std::vector<std::vector<Run>>& points,
                              std::to_string(points.size()) + " points";
 }
 
-/** \throw std::invalid_argument unless the detector has the section, or for the seed. */
+/** \throw WrongUsage unless the detector has the section, or for the seed. */
 void require_sweepable(const std::string& key)
 {
     TLoopClosureStreamOptions options;
     const auto section = key.substr(0, key.find('.'));
-    if (key == "runtime.seed") throw std::invalid_argument("runtime.seed is swept by --seeds");
+    if (key == "runtime.seed") throw WrongUsage("runtime.seed is swept by --seeds");
     std::string known;
     for (const auto& [name, ignored] : options.sections())
     {
         if (name == section) return;
         known.append(" [").append(name).append("]");
     }
-    throw std::invalid_argument("no loop closure depends on " + key + "; sections:" + known);
+    throw WrongUsage("no loop closure depends on " + key + "; sections:" + known);
 }
 
 void require_sweepable(const SweepRequest& request)
@@ -321,12 +332,12 @@ void require_sweepable(const SweepRequest& request)
         require_sweepable(swept.key);
         const auto is_same = [&](const SweptKey& other) { return other.key == swept.key; };
         if (std::count_if(request.keys.begin(), request.keys.end(), is_same) > 1)
-            throw std::invalid_argument(swept.key + " is swept twice");
+            throw WrongUsage(swept.key + " is swept twice");
     }
     for (const auto& change : request.changes)
     {
         const auto words = words_of(change);
-        if (words.empty()) throw std::invalid_argument("an empty --change changes nothing");
+        if (words.empty()) throw WrongUsage("an empty --change changes nothing");
         for (const auto& word : words) require_sweepable(word.substr(0, word.find('=')));
     }
 }
@@ -348,8 +359,9 @@ SweepReport sweep(const SweepRequest& request)
     for (const auto& runs : group_by_features(points))
     {
         const auto& options = runs.front()->options;
-        const auto truth = load_truth(request.truth, frames_of(request, options.input));
-        report.truth = {request.truth.file, truth.content, truth.remarks, request.truth.protocol};
+        const auto of_runs = for_run(request.truth, longest_delay(points));
+        const auto truth = load_truth(of_runs, frames_of(request, options.input));
+        report.truth = {of_runs.file, truth.content, truth.remarks, of_runs.protocol};
         const auto recording = extract_features(request, options);
         report.remarks = remarks_on(recording);
         evaluate_runs(request, recording, *truth.truth, runs);

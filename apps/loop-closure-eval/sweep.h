@@ -33,7 +33,7 @@ struct SweepRequest
  *  [input], [global_descriptor] and [local_features] are the same, and held in memory until these
  *  are done: half a kilobyte a keypoint. After an interruption the report holds the points of which
  *  all runs were done, and says so.
- *  \throw std::invalid_argument when a swept key or an override is not of the detector.
+ *  \throw WrongUsage when a swept key or an override is not of the detector.
  *  \throw std::runtime_error as the readers of rawlog, configuration and truth. */
 SweepReport sweep(const SweepRequest& request);
 

@@ -196,6 +196,8 @@ class EngineRun
     void write(const OutputFolder& folder) const
     {
         const auto& graph = engine_.getGraph();
+        for (const auto* name : {kGraphFile, kTrajectoryFile})  // of an earlier run: no mixed set
+            std::filesystem::remove(folder.file(name));
         WholeFile file(folder.file(kGraphFile));
         // As many digits as a number has: information may be nearly singular.
         file.stream().precision(std::numeric_limits<double>::max_digits10);
@@ -238,8 +240,6 @@ EngineResult run_engine(const EngineRequest& request)
     // Before the network is loaded and hours are spent.
     const RawlogReader checked(request.rawlog);
     const OutputFolder folder(request.output);
-    for (const auto* name : {kGraphFile, kTrajectoryFile})  // of a run before
-        std::filesystem::remove(folder.file(name));
     // MRPT 2.5's engine takes no class of graph for a tested one, and waits for a key.
     if (std::freopen("/dev/null", "r", stdin) == nullptr)
         throw std::runtime_error("cannot open /dev/null");

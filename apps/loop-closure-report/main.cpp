@@ -18,6 +18,7 @@ struct ReportRequest
     std::string output;  ///< of a comparison
     fild::TReportOptions options;
     std::optional<fild::TruthOptions> truth;
+    bool quiet = false;
 };
 
 /** The arguments, in the order of --help from the last to the first. */
@@ -27,6 +28,7 @@ struct Arguments
 
     TCLAP::CmdLine& command;
     const fild::TReportOptions defaults{};
+    TCLAP::SwitchArg quiet{"q", "quiet", "Print nothing unless something fails", command};
     TCLAP::ValueArg<int> width{"",
                                "picture-width",
                                "Wider pictures are scaled down (700)",
@@ -86,6 +88,7 @@ std::optional<ReportRequest> parse(int argc, char** argv)
     request.options.picture_width_px = given.width.getValue();
     request.options.check();
     request.truth = given.truth.options();
+    request.quiet = given.quiet.getValue();
     return request;
 }
 
@@ -100,12 +103,12 @@ void make_report(const ReportRequest& request)
     if (request.runs.size() == 2)
     {
         fild::write_html_comparison(judged(0), judged(1), request.options, request.output);
-        std::cout << request.output << "\n";
+        if (!request.quiet) std::cout << request.output << "\n";
         return;
     }
     const auto [folder, truth] = judged(0);
     fild::write_html_report(folder, request.options, truth);
-    std::cout << folder << "/report.html\n";
+    if (!request.quiet) std::cout << folder << "/report.html\n";
 }
 }  // namespace
 

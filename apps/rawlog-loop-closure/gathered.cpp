@@ -7,10 +7,10 @@ namespace fild
 {
 Gathered::Gathered(const OutputFolder& folder, const TRunOptions& options)
     : frames(folder.file("frames.csv")),
-      loops(folder.file("loops.csv")),
       candidates(folder.file("candidates.csv")),
       costs(folder.file("costs.csv")),
-      pictures(options.render, options.report)
+      pictures(options.render, options.report),
+      folder_(folder)
 {
     if (options.report.similarity_frames > 0)
         similarities.emplace(static_cast<std::size_t>(options.report.similarity_frames));
@@ -19,6 +19,7 @@ Gathered::Gathered(const OutputFolder& folder, const TRunOptions& options)
 void Gathered::add(const DetectorOutcome& outcome, const LoopClosureStream& stream)
 {
     const auto& verdict = outcome.verdict;
+    frames.add(verdict, to_word(outcome.depth_source));
     candidates.add(verdict.frame, outcome.considered);
     costs.add(verdict.frame, stream.times(), stream.detector().map_bytes());
     if (similarities) similarities->add(verdict.frame, outcome.global);
@@ -29,22 +30,48 @@ void Gathered::add(const DetectorOutcome& outcome, const LoopClosureStream& stre
         pictures.add(outcome, verdicts.at(to_index(verdict.candidate->frame)).timestamp);
 }
 
-void Gathered::write_rows(const std::optional<Map>& map)
+void Gathered::commit_verdicts()
 {
+    frames.commit();
+    candidates.commit();
+    costs.commit();
+    write_loops(nullptr);
+    for (const auto source : depth_sources) ++summary.map.depth_sources[to_word(source)];
+}
+
+void Gathered::add_map(const Map& map)
+{
+    if (!map.frames_with_motion_depth.empty()) write_frames(map);
+    write_loops(&map);
+    summary.map.depth_sources.clear();
+    for (std::size_t i = 0; i < verdicts.size(); ++i)
+        ++summary.map.depth_sources[source_word(i, &map)];
+}
+
+std::string Gathered::source_word(std::size_t frame, const Map* map) const
+{
+    const bool is_motion =
+        map != nullptr && map->frames_with_motion_depth.count(verdicts[frame].frame) != 0;
+    return to_word(is_motion ? DepthSource::motion : depth_sources[frame]);
+}
+
+void Gathered::write_frames(const Map& map) const
+{
+    VerdictCsv csv(folder_.file("frames.csv"));
+    for (std::size_t i = 0; i < verdicts.size(); ++i) csv.add(verdicts[i], source_word(i, &map));
+    csv.commit();
+}
+
+void Gathered::write_loops(const Map* map) const
+{
+    LoopCsv csv(folder_.file("loops.csv"));
     std::size_t loop = 0;
     for (std::size_t i = 0; i < verdicts.size(); ++i)
-    {
-        const auto& verdict = verdicts[i];
-        const bool has_motion_depth =
-            map && map->frames_with_motion_depth.count(verdict.frame) != 0;
-        const auto source = to_word(has_motion_depth ? DepthSource::motion : depth_sources[i]);
-        frames.add(verdict, source);
-        ++summary.map.depth_sources[source];
-        if (verdict.accepted())
-            loops.add(verdict, source, map ? row_of(map->loops[loop++]) : LoopRow());
-    }
-    frames.commit();
-    loops.commit();
+        if (verdicts[i].accepted())
+            csv.add(verdicts[i],
+                    source_word(i, map),
+                    map != nullptr ? row_of(map->loops[loop++]) : LoopRow());
+    csv.commit();
 }
 
 }  // namespace fild

@@ -11,12 +11,14 @@
 #include "match_pictures.h"
 #include "output_folder.h"
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace fild
 {
-/** Everything a run gathers on its way through the rawlog. */
+/** Everything a run gathers on its way through the rawlog. Refers to its folder. */
 struct Gathered
 {
     Gathered(const OutputFolder& folder, const TRunOptions& options);
@@ -24,11 +26,15 @@ struct Gathered
     /** \param stream  that gave the outcome. */
     void add(const DetectorOutcome& outcome, const LoopClosureStream& stream);
 
-    /** Writes what waits for the map: where depths came from, and what became of each loop. */
-    void write_rows(const std::optional<Map>& map);
+    /** Commits frames.csv, loops.csv, candidates.csv and costs.csv: a run that is killed while the
+     *  map is made has its verdicts. Loops have no poses yet. */
+    void commit_verdicts();
+
+    /** Writes loops.csv anew, with what the map tells of each loop; frames.csv too, where depths of
+     *  frames came from the motion. */
+    void add_map(const Map& map);
 
     VerdictCsv frames;
-    LoopCsv loops;
     CandidateCsv candidates;
     CostCsv costs;
     std::optional<SimilarityMatrix> similarities;
@@ -36,6 +42,13 @@ struct Gathered
     std::vector<FrameVerdict> verdicts;  ///< of every camera frame
     std::vector<DepthSource> depth_sources;  ///< as many
     PairsToDraw pictures;
+
+ private:
+    std::string source_word(std::size_t frame, const Map* map) const;
+    void write_frames(const Map& map) const;
+    void write_loops(const Map* map) const;
+
+    const OutputFolder& folder_;
 };
 
 }  // namespace fild

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_closure_run.h"
 
+#include "error_line.h"
 #include "fild/mapping/map_builder.h"
 #include "fild/rawlog/rawlog_reader.h"
 #include "gathered.h"
@@ -8,13 +9,13 @@
 #include "output_folder.h"
 #include "progress_line.h"
 #include "run_output.h"
+#include "standard_streams.h"
 
 #include <mrpt/obs/CObservation.h>
 #include <opencv2/core/utility.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -76,8 +77,8 @@ std::string read_what_can_be_read(const RunRequest& request,
     }
     catch (const std::exception& error)
     {
-        if (gathered.summary.camera_frames == 0) throw std::runtime_error(error.what());
-        return error.what();
+        if (gathered.summary.camera_frames == 0) throw std::runtime_error(error_line(error));
+        return error_line(error);
     }
     const auto& summary = gathered.summary;
     if (summary.camera_frames > 0 && summary.usable_frames() > 0) return "";
@@ -154,18 +155,20 @@ void run_loop_closure(RunRequest request)
     RawlogReader reader(request.rawlog);
     LoopClosureStream stream(options.stream, request.rawlog);
     const OutputFolder folder(request.output);
-
-    // Written last: the summary marks a whole set, and the report is made of it.
-    for (const auto* last : {"summary.json", "report.html"})
-        std::filesystem::remove(folder.file(last));
     Gathered gathered(folder, options);
     MapBuilder builder(options.stream.detector, options.graph);
     auto& summary = gathered.summary;
     summary.ended_early = read_what_can_be_read(request, reader, stream, builder, gathered);
     RunOutput output(request, folder, stream, gathered);
-    output.write(builder, start);
-    print_result(summary, stream.frames().first_missing_image(), request.output);
-    if (output.truth()) print_evaluation(output.truth()->evaluation);
+    output.write_results(builder);
+    output.attempt("cannot report the result",
+                   [&]
+                   {
+                       print_result(summary, stream.frames().first_missing_image(), request.output);
+                       if (output.truth()) print_evaluation(output.truth()->evaluation);
+                       require_printed();
+                   });
+    output.write_summary_and_report(start);
     if (!summary.ended_early.empty())
         throw std::runtime_error(summary.ended_early + "; the results of the " +
                                  std::to_string(summary.camera_frames) + " frames before are in " +

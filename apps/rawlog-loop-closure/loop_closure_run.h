@@ -42,7 +42,8 @@ struct RunRequest
 /** Runs the detector over the rawlog, builds the map, and writes frames.csv, loops.csv,
  *  candidates.csv, costs.csv, the files of the map (write_map_files()), its pictures
  *  (write_map_pictures()), similarity.png, matches/QUERY_CANDIDATE.jpg, summary.json and
- *  report.html into the output folder; each appears when it is whole.
+ *  report.html into the output folder; each appears when it is whole. Results of a run before stay
+ *  until all frames are read.
  *
  *  When the rawlog breaks off, an error stops the run or the user interrupts it, the results of the
  *  frames before are written all the same, summary.json says why it ended, and then the error is

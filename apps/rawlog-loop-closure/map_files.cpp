@@ -6,9 +6,11 @@
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/pose_conversion.h"
 #include "fild/rawlog/rawlog_reader.h"
+#include "fild/report/pose_csv.h"
 
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3D.h>
+#include <mrpt/poses/CPose3DQuat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -125,6 +127,24 @@ LoopRow::Unscaled unscaled_row(const UnscaledMotion& motion)
     return {{turned.yaw(), turned.pitch(), turned.roll()}, {d[0], d[1], d[2]}};
 }
 
+PoseCsv::PoseNumbers numbers_of(const mrpt::poses::CPose3D& pose)
+{
+    const mrpt::poses::CPose3DQuat quaternion(pose);
+    const auto& q = quaternion.quat();
+    return {pose.x(), pose.y(), pose.z(), q.x(), q.y(), q.z(), q.r()};
+}
+
+void write_poses(const Map& map, const std::string& path)
+{
+    PoseCsv csv(path);
+    const auto& input = map.trajectory.poses();
+    for (std::size_t i = 0; i < input.size(); ++i)
+        csv.add(input[i].frame,
+                numbers_of(input[i].map_from_robot),
+                numbers_of(map.optimized[i].map_from_robot));
+    csv.commit();
+}
+
 void write_trajectories(const Map& map,
                         const MappedRawlog& rawlog,
                         TrajectoryFormat format,
@@ -148,7 +168,8 @@ void write_trajectories(const Map& map,
 
 void remove_map_files(const OutputFolder& folder)
 {
-    for (const auto* name : {"poses.graph",
+    for (const auto* name : {"poses.csv",
+                             "poses.graph",
                              "poses.g2o",
                              "trajectory_input.tum",
                              "trajectory_optimized.tum",
@@ -173,6 +194,7 @@ std::vector<std::string> write_map_files(const Map& map,
             "no map: no odometry tells how the robot moved, and no depth of its images does");
         return notes;
     }
+    write_poses(map, folder.file("poses.csv"));
     write_trajectories(map, rawlog, options.trajectory_format, folder, notes);
     const auto connected = part_of(map.graph, map.parts.front());
     if (map.parts.size() > 1)

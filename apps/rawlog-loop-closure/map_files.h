@@ -25,10 +25,11 @@ struct MappedRawlog
 /** Removes the map of an earlier run into the folder, and its pictures. */
 void remove_map_files(const OutputFolder& folder);
 
-/** Writes poses.graph, poses.g2o, trajectory_input.* and trajectory_optimized.* (.tum or .kitti)
- * and map.simplemap, as far as the map goes. The observations of map.simplemap come from a second
- * pass over the rawlog, up to the last keyframe. \return for the user: what was not written and
- * why. \throw std::runtime_error when a file cannot be written, or as RawlogReader. */
+/** Writes poses.csv, poses.graph, poses.g2o, trajectory_input.* and trajectory_optimized.* (.tum or
+ *  .kitti) and map.simplemap, as far as the map goes. The observations of map.simplemap come from a
+ *  second pass over the rawlog, up to the last keyframe.
+ *  \return for the user: what was not written and why.
+ *  \throw std::runtime_error when a file cannot be written, or as RawlogReader. */
 std::vector<std::string> write_map_files(const Map& map,
                                          const MappedRawlog& rawlog,
                                          const TGraphOptions& options,

@@ -2,6 +2,7 @@
 #include "match_pictures.h"
 
 #include "fild/core/parallel_for.h"
+#include "fild/core/whole_file.h"
 #include "fild/rawlog/pose_conversion.h"
 #include "frame_pass.h"
 #include "interruption.h"
@@ -78,7 +79,7 @@ std::string picture_name(const FrameVerdict& verdict, const std::string& variant
            std::to_string(to_index(verdict.candidate->frame)) + variant + ".jpg";
 }
 
-/** True for NUMBER_NUMBER.jpg, NUMBER_NUMBER_3d.jpg and what a killed run left of one. */
+/** True for NUMBER_NUMBER.jpg and NUMBER_NUMBER_3d.jpg. */
 bool is_picture_name(const std::string& name)
 {
     constexpr const char* kDigits = "0123456789";
@@ -87,13 +88,13 @@ bool is_picture_name(const std::string& name)
     const auto end = name.find_first_not_of(kDigits, underscore + 1);
     if (end == underscore + 1 || end == std::string::npos) return false;
     const bool is_3d = name.compare(end, 3, "_3d") == 0;
-    const auto ending = name.substr(is_3d ? end + 3 : end);
-    return ending == ".jpg" || ending.rfind(".jpg.part-", 0) == 0;
+    return name.substr(is_3d ? end + 3 : end) == ".jpg";
 }
 
 /** Removes the pictures of an earlier run, and nothing else that may lie in the folder. */
 void remove_old_pictures(const std::filesystem::path& folder)
 {
+    remove_unfinished_in(folder.string());
     std::vector<std::filesystem::path> old;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (is_picture_name(entry.path().filename().string())) old.push_back(entry.path());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_output.h"
 
+#include "error_line.h"
 #include "fild/features/model_file.h"
 #include "fild/report/process_memory.h"
 #include "interruption.h"
@@ -31,23 +32,34 @@ RunOutput::RunOutput(const RunRequest& request,
 {
 }
 
-void RunOutput::write(const MapBuilder& builder, std::chrono::steady_clock::time_point start)
+void RunOutput::write_results(const MapBuilder& builder)
 {
-    gathered_.candidates.commit();
-    gathered_.costs.commit();
+    // Removed first and written last: they mark a whole set of results.
+    for (const auto* last : {"summary.json", "report.html"})
+        attempt("the results of an earlier run are in the way",
+                [&] { std::filesystem::remove(folder_.file(last)); });
+    gathered_.commit_verdicts();
+    attempt("the map of an earlier run is in the way", [&] { remove_map_files(folder_); });
     attempt("no map", [&] { build_map(builder); });
-    gathered_.write_rows(map_);
-    remove_map_files(folder_);
     attempt("no more map files", [&] { write_map_files(); });
     attempt("no comparison with the ground truth", [&] { judge(); });
     attempt("no more map pictures", [&] { draw_map(); });
     attempt("no matrix of similarities", [&] { write_similarities(); });
     attempt("no more match pictures", [&] { draw_matches(); });
     count_depth_defects();
+}
+
+void RunOutput::write_summary_and_report(std::chrono::steady_clock::time_point start)
+{
     complete_summary(start);
-    write_summary(summary_, folder_.file("summary.json"));
-    if (options_.report.write_html)
-        attempt("no report", [&] { write_html_report(request_.output, options_.report, truth_); });
+    const auto path = folder_.file("summary.json");
+    write_summary(summary_, path);
+    if (!options_.report.write_html) return;
+    const bool was_complete = summary_.ended_early.empty();
+    attempt("no report", [&] { write_html_report(request_.output, options_.report, truth_); });
+    if (!was_complete || summary_.ended_early.empty()) return;
+    std::filesystem::remove(path);  // else it would still call the run complete
+    write_summary(summary_, path);
 }
 
 void RunOutput::attempt(const std::string& what_fails, const std::function<void()>& step)
@@ -56,9 +68,13 @@ void RunOutput::attempt(const std::string& what_fails, const std::function<void(
     {
         step();
     }
+    catch (const Interrupted& interruption)
+    {
+        if (summary_.ended_early.empty()) summary_.ended_early = interruption.what();
+    }
     catch (const std::exception& error)
     {
-        const auto reason = what_fails + ": " + error.what();
+        const auto reason = what_fails + ": " + error_line(error);
         if (summary_.ended_early.empty())
             summary_.ended_early = reason;
         else
@@ -70,6 +86,7 @@ void RunOutput::build_map(const MapBuilder& builder)
 {
     map_.emplace(builder.build(stream_.detector(), times_, throw_if_interrupted));
     summary_.map = summary_of(*map_, summary_.camera_frames);
+    gathered_.add_map(*map_);
 }
 
 void RunOutput::write_map_files()
@@ -83,7 +100,9 @@ void RunOutput::write_map_files()
 
 void RunOutput::judge()
 {
-    if (request_.truth) truth_ = judge_run(request_.output, *request_.truth);
+    if (!request_.truth) return;
+    const double delay_seconds = options_.stream.detector.index.delay_seconds;
+    truth_ = judge_run(request_.output, *request_.truth, delay_seconds);
 }
 
 /** Without a pose there is nothing to draw: write_map_files() has said so. */

@@ -28,15 +28,20 @@ class RunOutput
               const LoopClosureStream& stream,
               Gathered& gathered);
 
+    /** Writes all but the summary and the report. The verdicts come first: the rest may take long
+     *  and need much memory. */
+    void write_results(const MapBuilder& builder);
+
     /** \param start  of the run. */
-    void write(const MapBuilder& builder, std::chrono::steady_clock::time_point start);
+    void write_summary_and_report(std::chrono::steady_clock::time_point start);
+
+    /** Runs a step; its failure becomes the reason why the run is not whole. */
+    void attempt(const std::string& what_fails, const std::function<void()>& step);
 
     /** What the ground truth says of the run; nothing when there is none, or it cannot be had. */
     const std::optional<ReportTruth>& truth() const { return truth_; }
 
  private:
-    void attempt(const std::string& what_fails, const std::function<void()>& step);
-
     void build_map(const MapBuilder& builder);
     void write_map_files();
     void judge();

@@ -113,6 +113,7 @@ void run(const AppOptions& options)
     if (!options.birds_eye_path.empty())
     {
         fild::refuse_existing(options.birds_eye_path);
+        fild::remove_unfinished_of(options.birds_eye_path);
         birds_eye.emplace(options.birds_eye_path);
     }
     std::optional<fild::Town> town;  // painted once the request is known to be good
@@ -127,8 +128,11 @@ void run(const AppOptions& options)
         if (fild::interrupted()) throw std::runtime_error("interrupted; nothing was written");
         progress.update(static_cast<double>(done) / static_cast<double>(frames), done, loops);
     };
-    const auto made =
-        write_synthetic_recording(request, request.options.town.street_grid(), draw, on_frame);
+    const auto made = fild::as_usage(
+        [&] {
+            return write_synthetic_recording(
+                request, request.options.town.street_grid(), draw, on_frame);
+        });
     if (birds_eye) write_birds_eye(*birds_eye, request.options, *town);
     std::cout << made.paths.front() << ": " << made.frames << " frames, "
               << static_cast<long>(made.metres) << " m, " << made.queries_with_loop

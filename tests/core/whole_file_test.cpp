@@ -54,6 +54,44 @@ TEST(WholeFile, ReportsAFailedWrite)
     EXPECT_THROW(file.commit(), std::runtime_error);
 }
 
+TEST(WholeFile, IsHeldByItsWriterUntilItIsWhole)
+{
+    const fild::testing::TemporaryFolder folder;
+    fild::WholeFile file(folder.path("out.csv"));
+    fild::remove_unfinished_in(folder.path());
+    EXPECT_TRUE(std::filesystem::exists(file.temporary_path()));
+    file.commit();
+    EXPECT_TRUE(std::filesystem::exists(folder.path("out.csv")));
+}
+
+// `split -d big.tar big.tar.part-` makes such names: to remove them destroyed an archive.
+TEST(RemoveUnfinished, LeavesWhatOthersNamedAlike)
+{
+    const fild::testing::TemporaryFolder folder;
+    const auto others = {
+        "x.part-01", "big.tar.part-00", ".fild-part-1", "a.fild-part-", "a.fild-part-x"};
+    for (const auto* name : others) fild::testing::write_text(folder.path(name), "mine");
+    fild::remove_unfinished_in(folder.path());
+    for (const auto* name : others) EXPECT_TRUE(std::filesystem::exists(folder.path(name))) << name;
+}
+
+TEST(RemoveUnfinished, RemovesLeftoversOfOneNameOrOfAll)
+{
+    const fild::testing::TemporaryFolder folder;
+    fild::testing::write_text(folder.path("a.csv.fild-part-1"), "half");
+    fild::testing::write_text(folder.path("a.csv"), "whole");
+    fild::testing::write_text(folder.path("b.csv.fild-part-22"), "half");
+    std::filesystem::create_directory(folder.path("a_Images.fild-part-1"));
+    fild::testing::write_text(folder.path("a_Images.fild-part-1/0.png"), "half");
+    fild::remove_unfinished_of(folder.path("a.csv"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a.csv.fild-part-1")));
+    EXPECT_TRUE(std::filesystem::exists(folder.path("b.csv.fild-part-22")));
+    fild::remove_unfinished_in(folder.path());
+    EXPECT_FALSE(std::filesystem::exists(folder.path("b.csv.fild-part-22")));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("a_Images.fild-part-1")));
+    EXPECT_TRUE(std::filesystem::exists(folder.path("a.csv")));
+}
+
 TEST(RefuseExisting, NamesWhatIsThere)
 {
     const fild::testing::TemporaryFolder folder;

@@ -30,7 +30,7 @@ TEST(ReadFramesCsv, ReadsWhatTheReportWrites)
 {
     fild::FrameVerdict first;
     first.timestamp = 1226322307.261530;
-    first.sensor_label = "left, \"front\"";
+    first.sensor_label = "left, \"front\"\nupper\n";
     first.rejection = fild::Rejection::too_early;
     fild::FrameVerdict second = first;
     second.frame = fild::FrameId{1};

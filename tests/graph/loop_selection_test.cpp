@@ -39,6 +39,31 @@ double distance_from_truth(const std::vector<CPose3D>& poses)
     return largest;
 }
 
+/** Cancels at its n-th call; n from 1. */
+fild::CheckCancelled cancelled_at(int n)
+{
+    return [left = n]() mutable
+    {
+        if (--left == 0) throw std::runtime_error("interrupted");
+    };
+}
+
+// Hours of loops take minutes here: the user must be able to stop the comparison of loops and the
+// optimisation, wherever they are.
+TEST(SolveGraph, EndsWhenItIsCancelled)
+{
+    const auto graph = two_laps_and_a_false_loop();
+    int calls = 0;
+    solve_graph(graph, TGraphOptions(), [&] { ++calls; });
+    ASSERT_GT(calls, static_cast<int>(graph.loops.size()))
+        << "while loops are compared, in the search for the clique, after each iteration";
+    for (int n = 1; n <= calls; ++n)
+        EXPECT_EQ(message_of<std::runtime_error>(
+                      [&] { solve_graph(graph, TGraphOptions(), cancelled_at(n)); }),
+                  "interrupted")
+            << n << " of " << calls;
+}
+
 TEST(SolveGraph, TellsTheFateOfEachLoop)
 {
     const auto solution = solve_graph(two_laps_and_a_false_loop(), {});

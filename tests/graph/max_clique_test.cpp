@@ -111,11 +111,11 @@ TEST(LargestClique, OfFiveHundredLoopsIsFoundInTime)
 TEST(LargestClique, GivesUpWithABoundAndTheSameAnswerEachTime)
 {
     const auto graph = random_graph(200, 0.9, 3);
-    const auto clique = largest_clique(graph, 50);
+    const auto clique = largest_clique(graph, fild::never_cancelled, 50);
     EXPECT_TRUE(is_clique(graph, clique.vertices));
     EXPECT_GT(clique.upper_bound, clique.vertices.size());
     EXPECT_GT(clique.vertices.size(), 25U);
-    EXPECT_EQ(largest_clique(graph, 50).vertices, clique.vertices);
+    EXPECT_EQ(largest_clique(graph, fild::never_cancelled, 50).vertices, clique.vertices);
 }
 
 TEST(LargestClique, RefusesWhatIsNoGraph)

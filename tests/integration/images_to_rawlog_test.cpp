@@ -145,6 +145,29 @@ TEST_F(ImagesToRawlog, ShowsHelpAndVersion)
     EXPECT_THAT(version.out, HasSubstr("0.1"));
 }
 
+TEST_F(ImagesToRawlog, PrintsNothingWhenItIsQuiet)
+{
+    draw("in/a.png");
+    const auto finished = run("--images in --rate 1 --output run.rawlog --quiet");
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_EQ(finished.out + finished.err, "");
+}
+
+TEST_F(ImagesToRawlog, RemovesWhatAKilledRunLeft)
+{
+    draw("in/a.png");
+    write("run.rawlog.fild-part-1", "half");
+    fs::create_directory(folder_.path("run_Images.fild-part-1"));
+    write("run_Images.fild-part-1/b.png", "half");
+    write("other.rawlog.fild-part-1", "of another output");
+    const auto finished = run("--images in --rate 1 --output run.rawlog");
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_FALSE(fs::exists(folder_.path("run.rawlog.fild-part-1")));
+    EXPECT_FALSE(fs::exists(folder_.path("run_Images.fild-part-1")));
+    EXPECT_TRUE(fs::exists(folder_.path("other.rawlog.fild-part-1")));
+    EXPECT_TRUE(fs::exists(folder_.path("run_Images/a.png")));
+}
+
 TEST_F(ImagesToRawlog, WritesARawlogThatReadsBack)
 {
     write("list.txt", "in/b.png 1\nin/c d.png 2\nin/b.png 3\n");

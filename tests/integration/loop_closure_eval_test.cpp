@@ -251,7 +251,9 @@ TEST_F(LoopClosureEval, ScoresByThePosesInARawlog)
     EXPECT_EQ(json()["loop_queries"], 2);
     EXPECT_EQ(json()["right"], 1);
     EXPECT_EQ(json()["wrong"], 1);
-    EXPECT_EQ(run("--run run --ground-truth drive.rawlog").exit_code, 2);
+    EXPECT_EQ(run("--run run --ground-truth drive.rawlog -p exact").exit_code, 2);
+    EXPECT_EQ(run("--run run --ground-truth drive.rawlog -o out").exit_code, 0);
+    EXPECT_EQ(json()["protocol"]["radius_metres"], 5);
     EXPECT_EQ(run("--run run --ground-truth drive.rawlog --truth-sensor GPS -p radius:1").exit_code,
               1);
 }
@@ -292,6 +294,11 @@ TEST_F(LoopClosureEval, ScoresPoses)
     EXPECT_EQ(json()["right"], 1);
     EXPECT_EQ(json()["wrong"], 1);
     EXPECT_EQ(json()["protocol"]["min_age_seconds"], 35);
+
+    write("run/summary.json", R"({"options": {"index": {"delay_seconds": "35"}}})");
+    ASSERT_EQ(run("--run run --quiet --ground-truth poses.txt -p radius:1 -o out").exit_code, 0);
+    EXPECT_EQ(json()["protocol"]["min_age_seconds"], 35) << "the delay of the run";
+    EXPECT_EQ(json()["loop_queries"], 2);
 }
 
 TEST_F(LoopClosureEval, HasNullWhereNothingCanBeSaid)

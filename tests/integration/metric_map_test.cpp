@@ -32,6 +32,7 @@ using fild::testing::Finished;
 using fild::testing::lines_of;
 using fild::testing::Objects;
 using fild::testing::read_text;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -45,6 +46,7 @@ constexpr const char* kConfig =
     "[render]\nenabled = false\n[report]\nwrite_html = false\n";
 
 const std::vector<std::string> kMapFiles = {"map.simplemap",
+                                            "poses.csv",
                                             "poses.g2o",
                                             "poses.graph",
                                             "trajectory_input.tum",
@@ -340,12 +342,27 @@ TEST_F(MetricMap, IsKeptWhenTheTruthCannotBeRead)
     EXPECT_THAT(finished.err, HasSubstr("none.tum"));
     EXPECT_FALSE(has("frames.csv")) << "said before the work begins";
 
-    fild::testing::write_text(path("bad.tum"), "1 2 3 and so on\n");
+    fild::testing::write_text(path("bad.tum"), "0 0 0 0 0 0 0 1\n1 2 3 and so on\n");
     const auto late = run("--ground-truth '" + path("bad.tum") + "' --protocol radius:1");
     EXPECT_EQ(late.exit_code, 1);
     EXPECT_THAT(late.err, HasSubstr("bad.tum"));
     for (const auto& name : kMapFiles) EXPECT_TRUE(has(name)) << name;
     EXPECT_EQ(run("--protocol radius:1").exit_code, 2) << "without ground truth";
+}
+
+TEST_F(MetricMap, KnowsAtItsStartWhichProtocolTheTruthNeeds)
+{
+    write(WallDrive());
+    run_well();
+    fs::copy(path("out/trajectory_optimized.tum"), path("truth.tum"));
+    const auto truth = "--ground-truth '" + path("truth.tum") + "'";
+    const auto finished = run(truth + " --set report.write_html=true");
+    ASSERT_EQ(finished.exit_code, 0) << finished.err;
+    EXPECT_THAT(result("report.html"),
+                AllOf(HasSubstr("radius:5"), HasSubstr("at least 5 s older")));  // the delay
+    fs::remove_all(path("out"));
+    EXPECT_EQ(run(truth + " --protocol exact").exit_code, 2);
+    EXPECT_FALSE(has("frames.csv")) << "said before the work begins";
 }
 
 TEST_F(MetricMap, ChangesNothingOfWhatTheDetectorSays)

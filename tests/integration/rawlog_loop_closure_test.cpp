@@ -12,6 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <fcntl.h>
 #include <filesystem>
 #include <map>
@@ -45,6 +46,32 @@ class RawlogLoopClosure : public ::testing::Test
     void write_rawlog(const Objects& objects) const
     {
         fild::testing::write_gz(path("run.rawlog"), objects);
+    }
+
+    /** A run over it takes minutes. */
+    void write_long_rawlog() const
+    {
+        Objects objects;
+        const auto images = fild::testing::draw_two_laps(kFramesPerLap);
+        for (int i = 0; i < 3000; ++i)
+            objects.push_back(fild::testing::image_observation(images[0], i));
+        write_rawlog(objects);
+    }
+
+    /** Starts a run in the background and sends it a signal when some frames have verdicts.
+     *  \param before  a shell command. */
+    Finished run_and_send(const std::string& signal,
+                          const std::string& more,
+                          const std::string& before = "") const
+    {
+        fs::remove(path("out/frames.csv"));
+        const auto rows = "'" + path("out") + "'/frames.csv";
+        return fild::testing::run_command(before + app() + arguments(more) +
+                                          " & n=0; until grep -qs '^2,' " + rows +
+                                          ".fild-part-* || [ -e " + rows +
+                                          " ] || [ $n -ge 600 ]; do sleep 0.1; n=$((n+1)); done; "
+                                          "kill -" +
+                                          signal + " $!; wait $!");
     }
 
     static std::string app() { return "'" RAWLOG_LOOP_CLOSURE "' "; }
@@ -308,9 +335,102 @@ TEST_F(RawlogLoopClosure, RemovesWhatAKilledRunLeft)
 {
     write_rawlog(two_laps());
     fs::create_directory(path("out"));
-    write_text(path("out/frames.csv.part-1"), "half");
+    write_text(path("out/frames.csv.fild-part-1"), "half");
     ASSERT_EQ(run().exit_code, 0);
     EXPECT_EQ(output_names(), kAllOutputs);
+}
+
+TEST_F(RawlogLoopClosure, LeavesFilesOfOthersInItsFolder)
+{
+    write_rawlog(two_laps());
+    fs::create_directories(path("out/matches"));
+    const auto others = {"out/big.tar.part-01", "out/x.part-1234", "out/matches/1_0.jpg.part-7"};
+    for (const auto* name : others) write_text(path(name), "mine");
+    ASSERT_EQ(run().exit_code, 0);
+    for (const auto* name : others) EXPECT_EQ(read_text(path(name)), "mine") << name;
+}
+
+TEST_F(RawlogLoopClosure, KeepsTheResultsOfAnEarlierRunUntilItHasItsOwn)
+{
+    write_rawlog(two_laps());
+    ASSERT_EQ(run().exit_code, 0);
+    const auto summary_before = read_text(path("out/summary.json"));
+    EXPECT_THAT(error("--set 'input.sensor_label=.*RIGHT'"), HasSubstr("no camera observation"));
+    EXPECT_EQ(output_names(), kAllOutputs);
+    EXPECT_EQ(read_text(path("out/summary.json")), summary_before);
+}
+
+TEST_F(RawlogLoopClosure, LeavesItsVerdictsWhenItIsKilled)
+{
+    write_long_rawlog();
+    EXPECT_EQ(run_and_send("KILL", "-q").exit_code, 128 + SIGKILL);
+    std::size_t rows = 0;
+    for (const auto& name : output_names())
+        if (name.rfind("frames.csv.fild-part-", 0) == 0)
+            rows = lines_of(read_text(path("out/" + name))).size();
+    EXPECT_GT(rows, 2U);
+    ASSERT_EQ(run("--max-frames 2").exit_code, 0);
+    EXPECT_EQ(output_names(), kAllOutputs);
+}
+
+TEST_F(RawlogLoopClosure, OutlivesItsTerminalUnderNohup)
+{
+    write_long_rawlog();
+    const auto finished = run_and_send("HUP", "-q --max-frames 30", "trap '' HUP; ");
+    EXPECT_EQ(finished.exit_code, 0) << finished.err;
+    const auto interrupted = run_and_send("HUP", "-q");
+    EXPECT_THAT(interrupted.err, HasSubstr("interrupted")) << "without nohup";
+}
+
+TEST_F(RawlogLoopClosure, OutlivesTheReaderOfItsOutput)
+{
+    write_rawlog(two_laps());
+    fild::testing::run_command("{ " + app() + arguments() + "; echo $? >'" + path("status") +
+                               "'; } 2>&1 | true");
+    EXPECT_EQ(read_text(path("status")), "0\n");
+    EXPECT_TRUE(summary()["complete"].get<bool>());
+}
+
+TEST_F(RawlogLoopClosure, FailsWhenItsOutputCannotBeWritten)
+{
+    write_rawlog(two_laps());
+    const auto finished = fild::testing::run_command(app() + arguments("--quiet") + " >/dev/full");
+    EXPECT_EQ(finished.exit_code, 1);
+    EXPECT_THAT(finished.err, HasSubstr("standard output"));
+    EXPECT_FALSE(summary()["complete"].get<bool>());
+    EXPECT_EQ(output_names(), kAllOutputs);
+}
+
+TEST_F(RawlogLoopClosure, IsNotCompleteWithoutItsReport)
+{
+    write_rawlog(two_laps());
+    // A limit of 500 kB a file, which the charts alone exceed, stands in for a full disk.
+    const auto finished =
+        fild::testing::run_command("ulimit -f 1000; " + app() + arguments("--quiet"));
+    EXPECT_EQ(finished.exit_code, 1);
+    EXPECT_THAT(finished.err, HasSubstr("no report"));
+    EXPECT_FALSE(fs::exists(path("out/report.html")));
+    EXPECT_FALSE(summary()["complete"].get<bool>());
+    EXPECT_THAT(summary()["ended_early"].get<std::string>(), HasSubstr("no report"));
+}
+
+TEST_F(RawlogLoopClosure, ReadsBackALabelWithALineBreak)
+{
+    write_rawlog(two_laps("LEFT\n\"front\", upper"));
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_EQ(output_names(), kAllOutputs);
+    EXPECT_THAT(read_text(path("out/report.html")), HasSubstr("LEFT\\n"));
+}
+
+TEST_F(RawlogLoopClosure, MatchesNoPatternWithAnEndlessLabel)
+{
+    write_rawlog(two_laps(std::string(100000, 'x')));
+    const auto line = error("--set 'input.sensor_label=.*'");
+    EXPECT_THAT(line, HasSubstr("camera labels there"));
+    EXPECT_LT(line.size(), 8000U);
+    const auto value = std::string(70000, '7') + "x";
+    EXPECT_LT(error("--set index.delay_seconds=" + value).size(), 500U);
+    EXPECT_LT(error("--set 'input.sensor_label=" + value + "'").size(), 500U);
 }
 
 TEST_F(RawlogLoopClosure, LooksAtTwoCamerasWhenAskedTo)
@@ -421,11 +541,7 @@ TEST_F(RawlogLoopClosure, RefusesAFolderThatAnotherRunHolds)
 
 TEST_F(RawlogLoopClosure, KeepsTheResultsBeforeAnInterruption)
 {
-    Objects objects;
-    const auto images = fild::testing::draw_two_laps(kFramesPerLap);
-    for (int i = 0; i < 3000; ++i)
-        objects.push_back(fild::testing::image_observation(images[0], i));
-    write_rawlog(objects);
+    write_long_rawlog();
     const auto finished = fild::testing::run_command("timeout --preserve-status --signal=INT 4 " +
                                                      app() + arguments("-q"));
     EXPECT_EQ(finished.exit_code, 1);

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/report/html_report.h"
 
+#include "fild/report/pose_csv.h"
 #include "message_of.h"
 #include "run_folder_files.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace
 {
@@ -128,6 +131,56 @@ TEST(HtmlReport, ReadsTrajectoriesOfBothFormats)
 
     write_text(run.path("trajectory_input.kitti"), "1 0 0 6 0 1 0 7 0 0 1 8\n");
     EXPECT_THAT(error_of(run), HasSubstr("trajectory_input.kitti"));
+}
+
+/** MRPT's clock has steps of 100 ns, frames.csv decimals of 1 us. */
+std::vector<fild::FrameVerdict> frames_between_microseconds()
+{
+    std::vector<fild::FrameVerdict> frames;
+    for (std::size_t i = 0; i < 2000; ++i)
+    {
+        frames.push_back(frame_at(i));
+        frames.back().timestamp = 1.7e9 + 0.0334177 * static_cast<double>(i);
+    }
+    return frames;
+}
+
+std::size_t frames_without_position(const nlohmann::json& positions)
+{
+    return static_cast<std::size_t>(std::count_if(
+        positions.begin(), positions.end(), [](const auto& point) { return point.is_null(); }));
+}
+
+TEST(HtmlReport, FindsEveryPoseWhateverItsStamp)
+{
+    const auto frames = frames_between_microseconds();
+    const RunFolderFiles run(frames);
+    std::ofstream tum(run.path("trajectory_input.tum"));
+    tum.precision(17);
+    for (const auto& frame : frames) tum << frame.timestamp << " 1 2 3 0 0 0 1\n";
+    tum.close();
+    EXPECT_EQ(frames_without_position(report_of(run)["trajectories"]["input"]), 0U);
+}
+
+TEST(HtmlReport, TakesPosesByTheNumberOfTheFrame)
+{
+    auto frames = frames_between_microseconds();
+    frames.resize(3);
+    frames[2].timestamp = frames[0].timestamp;  // the clock was set back
+    const RunFolderFiles run(frames);
+    write_text(run.path("trajectory_input.tum"), "of no use\n");
+    fild::PoseCsv poses(run.path("poses.csv"));
+    poses.add(fild::FrameId{0}, {1, 2, 3, 0, 0, 0, 1}, {1, 2, 4, 0, 0, 0, 1});
+    poses.add(fild::FrameId{2}, {0.1, 0.2, 0.3, 0, 0, 1, 0}, {5, 6, 7, 0, 0, 1, 0});
+    poses.commit();
+    const auto trajectories = report_of(run)["trajectories"];
+    EXPECT_EQ(trajectories["input"][0], (std::vector<double>{1, 2, 3}));
+    EXPECT_TRUE(trajectories["input"][1].is_null());
+    EXPECT_EQ(trajectories["input"][2], (std::vector<double>{0.1, 0.2, 0.3}));
+    EXPECT_EQ(trajectories["optimized"][2], (std::vector<double>{5, 6, 7}));
+
+    std::ofstream(run.path("poses.csv"), std::ios::app) << "3,0,0,0,0,0,0,1,0,0,0,0,0,0,1\n";
+    EXPECT_THAT(error_of(run), AllOf(HasSubstr("poses.csv line 4"), HasSubstr("3 frames")));
 }
 
 /** The true poses of a way are known in a frame of their own: turned by 90 degrees, and elsewhere.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <locale>
 
 namespace
 {
@@ -58,6 +59,28 @@ TEST(VerdictCsv, QuotesLabelsThatNeedIt)
     EXPECT_EQ(csv_of({verdict}),
               std::string(kHeader) +
                   "0,0.000000,\"left, \"\"front\"\"\",0,,,0,0,0,too_early,0.000000,stereo\n");
+}
+
+/** Numbers as in `1.234.567`. */
+class GroupedDigits : public std::numpunct<char>
+{
+ protected:
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+// A program with a window sets the user's locale.
+TEST(VerdictCsv, IsTheSameInAnyLocale)
+{
+    fild::FrameVerdict verdict;
+    verdict.frame = fild::FrameId{12345};
+    verdict.timestamp = 1226322307.26153;
+    verdict.rejection = fild::Rejection::too_early;
+    const auto expected = csv_of({verdict});
+    const auto before = std::locale::global(std::locale(std::locale(), new GroupedDigits));
+    const auto grouped = csv_of({verdict});
+    std::locale::global(before);
+    EXPECT_EQ(grouped, expected);
 }
 
 std::string loop_csv_row(const fild::LoopRow& loop)

@@ -6,9 +6,9 @@
 namespace
 {
 using fild::foliage_of;
-using fild::Place;
+using fild::StandingObject;
 
-Place tree(std::uint64_t seed)
+StandingObject tree(std::uint64_t seed)
 {
     return {{0, 0}, 0, seed};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/core/ini_file.h"
 
+#include "shortened.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -27,7 +29,7 @@ std::string fault_of_name(const std::string& name)
 {
     const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
     if (std::none_of(name.begin(), name.end(), is_capital)) return "";
-    return "'" + name + "' has capital letters; all names are in small ones";
+    return "'" + shortened(name) + "' has capital letters; all names are in small ones";
 }
 
 bool starts_with(const std::string& text, const std::string& prefix)
@@ -67,23 +69,24 @@ class StrictCopier
  private:
     void open_section(const std::string& line)
     {
-        if (line.back() != ']') fail("'" + line + "' lacks its closing bracket");
+        if (line.back() != ']') fail("'" + shortened(line) + "' lacks its closing bracket");
         section_ = trimmed(line.substr(1, line.size() - 2));
         check_name(section_);
-        if (!seen_.insert("[" + section_).second) fail("section [" + section_ + "] stands twice");
+        if (!seen_.insert("[" + section_).second)
+            fail("section [" + shortened(section_) + "] stands twice");
     }
 
     void copy_key(const std::string& line)
     {
         const auto equals = line.find('=');
         if (equals == std::string::npos)
-            fail("'" + line + "' is neither '[section]' nor 'key = value'");
-        if (section_.empty()) fail("'" + line + "' stands before the first [section]");
+            fail("'" + shortened(line) + "' is neither '[section]' nor 'key = value'");
+        if (section_.empty()) fail("'" + shortened(line) + "' stands before the first [section]");
         const auto key = trimmed(line.substr(0, equals));
         check_name(key);
-        if (key.empty()) fail("'" + line + "' has no key before the '='");
+        if (key.empty()) fail("'" + shortened(line) + "' has no key before the '='");
         if (!seen_.insert(section_ + "." + key).second)
-            fail("key '" + key + "' stands twice in [" + section_ + "]");
+            fail("key '" + shortened(key) + "' stands twice in [" + shortened(section_) + "]");
         target_.write(section_, key, trimmed(line.substr(equals + 1)));
     }
 
@@ -107,7 +110,7 @@ class StrictCopier
 
 std::string unknown_section(const std::string& name, const std::string& known)
 {
-    return "unknown section [" + name + "]; known sections:" + known;
+    return "unknown section [" + shortened(name) + "]; known sections:" + known;
 }
 }  // namespace
 
@@ -133,7 +136,8 @@ void apply_overrides(mrpt::config::CConfigFileMemory& config,
         const auto dot = text.find('.');
         if (equals == std::string::npos || dot == std::string::npos || dot == 0 ||
             dot + 1 >= equals)
-            throw std::invalid_argument("'" + text + "' is not of the form section.key=value");
+            throw std::invalid_argument("'" + shortened(text) +
+                                        "' is not of the form section.key=value");
         const auto section = trimmed(text.substr(0, dot));
         const auto key = trimmed(text.substr(dot + 1, equals - dot - 1));
         for (const auto& name : {section, key})

@@ -2,6 +2,7 @@
 #include "fild/core/options.h"
 
 #include "fild/core/parse_number.h"
+#include "shortened.h"
 
 #include <mrpt/config/CConfigFileBase.h>
 
@@ -65,7 +66,7 @@ class Loader : public OptionVisitor
         source_.getAllKeys(section_, keys);
         for (const auto& key : keys)
             if (known_.count(key) == 0)
-                throw std::runtime_error("[" + section_ + "] unknown key '" + key +
+                throw std::runtime_error("[" + section_ + "] unknown key '" + shortened(key) +
                                          "'; known keys: " + join({known_.begin(), known_.end()}));
     }
 
@@ -101,8 +102,8 @@ class Loader : public OptionVisitor
                            const std::string& word,
                            const std::string& expected) const
     {
-        throw std::runtime_error("[" + section_ + "] " + key + "='" + word + "' is not " +
-                                 expected);
+        throw std::runtime_error("[" + section_ + "] " + key + "='" + shortened(word) +
+                                 "' is not " + expected);
     }
 
     const mrpt::config::CConfigFileBase& source_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -39,13 +40,17 @@ void parallel_for(int num_threads, std::size_t count, const std::function<void(s
         }
     };
 
+    const auto threads = thread_count(num_threads, count);
     std::vector<std::thread> helpers;
+    helpers.reserve(threads);  // now: with threads running nothing may throw past them
     try
     {
-        for (std::size_t t = 1; t < thread_count(num_threads, count); ++t)
-            helpers.emplace_back(work);
+        while (helpers.size() + 1 < threads) helpers.emplace_back(work);
     }
     catch (const std::system_error&)  // no more threads to be had: those there are do the work
+    {
+    }
+    catch (const std::bad_alloc&)  // likewise
     {
     }
     work();

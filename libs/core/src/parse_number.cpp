@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/core/parse_number.h"
 
+#include "shortened.h"
+
 #include <sstream>
 #include <stdexcept>
 
@@ -10,7 +12,7 @@ namespace
 {
 std::runtime_error not_a_number(const std::string& word, const std::string& origin)
 {
-    return std::runtime_error(origin + ": '" + word + "' is not a number");
+    return std::runtime_error(origin + ": '" + shortened(word) + "' is not a number");
 }
 }  // namespace
 

@@ -71,8 +71,7 @@ class LoopDetector::Trials
            StageTimes& times)
         : detector_(detector), query_(query), times_(times)
     {
-        for (const auto& answer : answers)
-            considered_.push_back({answer, considered_.size() + 1});
+        for (const auto& answer : answers) considered_.push_back({answer, considered_.size() + 1});
     }
 
     /** \return true when the candidate is the best so far; false for one that was verified before.
@@ -241,8 +240,7 @@ DetectorOutcome LoopDetector::verify(const FrameDescription& query,
     if (model_)
         verdict.support = odds ? probability_of(odds->log_odds()) : 0;
     else
-        verdict.support =
-            static_cast<double>(verdict.inliers) / static_cast<double>(min_inliers_);
+        verdict.support = static_cast<double>(verdict.inliers) / static_cast<double>(min_inliers_);
     outcome.inliers = std::move(verification.inliers);
     entry = {candidate,
              entry.rank,

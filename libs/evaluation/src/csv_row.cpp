@@ -13,15 +13,29 @@
 
 namespace fild
 {
-std::vector<std::string> split_csv_fields(const std::string& line)
+std::size_t read_csv_record(std::istream& file, std::string& record)
+{
+    record.clear();
+    std::size_t lines = 0;
+    bool is_quoted = false;
+    for (std::string line; (lines == 0 || is_quoted) && std::getline(file, line); ++lines)
+    {
+        if (lines > 0) record += '\n';
+        record += line;
+        if (std::count(line.begin(), line.end(), '"') % 2 != 0) is_quoted = !is_quoted;
+    }
+    return lines;
+}
+
+std::vector<std::string> split_csv_fields(const std::string& record)
 {
     std::vector<std::string> fields(1);
     bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i)
+    for (std::size_t i = 0; i < record.size(); ++i)
     {
-        const char c = line[i];
-        if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-            fields.back() += line[++i];
+        const char c = record[i];
+        if (c == '"' && quoted && i + 1 < record.size() && record[i + 1] == '"')
+            fields.back() += record[++i];
         else if (c == '"')
             quoted = !quoted;
         else if (c == ',' && !quoted)
@@ -32,8 +46,8 @@ std::vector<std::string> split_csv_fields(const std::string& line)
     return fields;
 }
 
-CsvRow::CsvRow(const std::string& line, std::string origin, std::size_t columns)
-    : fields_(split_csv_fields(line)), origin_(std::move(origin))
+CsvRow::CsvRow(const std::string& record, std::string origin, std::size_t columns)
+    : fields_(split_csv_fields(record)), origin_(std::move(origin))
 {
     if (fields_.size() != columns)
         fail(std::to_string(fields_.size()) + " columns instead of " + std::to_string(columns));
@@ -57,8 +71,12 @@ void for_each_csv_row(const std::string& path,
         throw std::runtime_error(path + " does not begin with the header of " +
                                  std::filesystem::path(path).filename().string());
     const auto columns = static_cast<std::size_t>(std::count(line.begin(), line.end(), ',')) + 1;
-    for (std::size_t number = 2; std::getline(file, line); ++number)
+    std::size_t number = 2;
+    while (const auto lines = read_csv_record(file, line))
+    {
         take(CsvRow(line, path + " line " + std::to_string(number), columns));
+        number += lines;
+    }
 }
 
 }  // namespace fild

@@ -10,12 +10,12 @@
 
 namespace fild
 {
-/** One line of a CSV file (RFC 4180, no line end within a field), which knows where it stands. */
+/** One record of a CSV file (RFC 4180), which knows at which line it begins. */
 class CsvRow
 {
  public:
-    /** \throw std::runtime_error unless the line has so many columns. */
-    CsvRow(const std::string& line, std::string origin, std::size_t columns);
+    /** \throw std::runtime_error unless the record has so many columns. */
+    CsvRow(const std::string& record, std::string origin, std::size_t columns);
 
     /** \throw std::runtime_error naming file and line. */
     [[noreturn]] void fail(const std::string& what) const;
@@ -44,7 +44,7 @@ class CsvRow
     std::string origin_;
 };
 
-/** Hands each line after the header to `take`.
+/** Hands each record after the header to `take`.
  *  \param header  of the columns that are known; the file may have more after them.
  *  \throw std::runtime_error when the file cannot be read, or begins with another header. */
 void for_each_csv_row(const std::string& path,

@@ -182,6 +182,11 @@ GroundTruth load_ground_truth(const std::string& path,
     return ground_truth_of(load_poses(path, format, frames), protocol);
 }
 
+bool holds_poses(const std::string& path)
+{
+    return !holds_labels(format_of(path));
+}
+
 TruePoses load_true_poses(const std::string& path, const std::vector<FrameVerdict>& frames)
 {
     const auto format = format_of(path);

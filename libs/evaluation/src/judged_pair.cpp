@@ -9,9 +9,8 @@ std::vector<JudgedPair> judge_pairs(const AnswersOfFrames& answers, const LoopTr
     for (std::size_t i = 0; i < answers.size(); ++i)
         for (const auto& considered : answers[i])
             if (considered.odds)
-                pairs.push_back({FrameId{i},
-                                 considered,
-                                 truth.judge(FrameId{i}, considered.candidate.frame)});
+                pairs.push_back(
+                    {FrameId{i}, considered, truth.judge(FrameId{i}, considered.candidate.frame)});
     return pairs;
 }
 

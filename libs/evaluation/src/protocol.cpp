@@ -3,6 +3,7 @@
 
 #include "fild/core/parse_number.h"
 
+#include <locale>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -51,6 +52,7 @@ Protocol parse_protocol(const std::string& word)
 std::string to_word(const Protocol& protocol)
 {
     std::ostringstream word;
+    word.imbue(std::locale::classic());
     switch (protocol.kind)
     {
         case Protocol::Kind::exact:
@@ -70,6 +72,7 @@ std::string to_word(const Protocol& protocol)
 std::string rule_of(const Protocol& protocol)
 {
     std::ostringstream rule;
+    rule.imbue(std::locale::classic());
     rule << "a loop closure is right when ";
     switch (protocol.kind)
     {

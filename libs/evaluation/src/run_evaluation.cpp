@@ -2,9 +2,13 @@
 #include "fild/evaluation/run_evaluation.h"
 
 #include "fild/evaluation/frames_csv.h"
+#include "fild/evaluation/poses_csv.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +17,38 @@ namespace fild
 namespace
 {
 constexpr double kSameTime = 1e-5;  // seconds; frames.csv has six decimals
+
+/** Out of poses.csv; nothing when it is not there. */
+std::optional<PosesOfFrames> poses_by_frame(const std::string& folder,
+                                            const std::string& name,
+                                            const std::vector<FrameVerdict>& frames)
+{
+    const auto path = std::filesystem::path(folder) / "poses.csv";
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    auto poses = read_poses_csv(path.string(), frames.size());
+    return name == "input" ? std::move(poses.input) : std::move(poses.optimized);
+}
+
+/** The pose nearest in time to each frame. Times are rounded to 1e-6 s in frames.csv, and doubles
+ *  of this size to 2e-7 s. */
+PosesOfFrames joined_by_time(const std::vector<TimedPose>& trajectory,
+                             const std::vector<FrameVerdict>& frames)
+{
+    constexpr double kRounding = 2e-6;
+    std::map<double, const FramePose*> pose_at;
+    for (const auto& pose : trajectory) pose_at.emplace(pose.timestamp, &pose.pose);
+    PosesOfFrames poses(frames.size());
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+        const double time = frames[i].timestamp;
+        auto nearest = pose_at.lower_bound(time - kRounding);
+        if (nearest == pose_at.end() || nearest->first > time + kRounding) continue;
+        for (auto next = std::next(nearest); next != pose_at.end(); nearest = next++)
+            if (std::abs(next->first - time) >= std::abs(nearest->first - time)) break;
+        poses[i] = *nearest->second;
+    }
+    return poses;
+}
 
 CandidateEvaluation evaluate_candidates(const std::vector<JudgedFrame>& frames,
                                         const AnswersOfFrames& answers,
@@ -26,10 +62,33 @@ CandidateEvaluation evaluate_candidates(const std::vector<JudgedFrame>& frames,
 }
 }  // namespace
 
+std::optional<PosesOfFrames> read_run_poses(const std::string& folder,
+                                            const std::string& name,
+                                            const std::vector<FrameVerdict>& frames)
+{
+    if (auto poses = poses_by_frame(folder, name, frames)) return poses;
+    const auto trajectory = read_run_trajectory(folder, name, frames);
+    if (!trajectory) return std::nullopt;
+    return joined_by_time(*trajectory, frames);
+}
+
+std::vector<TimedPose> timed_poses(const PosesOfFrames& poses,
+                                   const std::vector<FrameVerdict>& frames)
+{
+    std::vector<TimedPose> timed;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        if (poses[i]) timed.push_back({frames.at(i).timestamp, *poses[i]});
+    std::stable_sort(timed.begin(),
+                     timed.end(),
+                     [](const auto& a, const auto& b) { return a.timestamp < b.timestamp; });
+    return timed;
+}
+
 std::optional<std::vector<TimedPose>> read_run_trajectory(const std::string& folder,
                                                           const std::string& name,
                                                           const std::vector<FrameVerdict>& frames)
 {
+    if (const auto poses = poses_by_frame(folder, name, frames)) return timed_poses(*poses, frames);
     const auto path = (std::filesystem::path(folder) / ("trajectory_" + name)).string();
     if (std::filesystem::exists(path + ".tum")) return read_tum_trajectory(path + ".tum");
     if (!std::filesystem::exists(path + ".kitti")) return std::nullopt;

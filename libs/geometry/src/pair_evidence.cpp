@@ -116,15 +116,14 @@ AffineFit fit_affine(const MatchedPair& pair)
     }
     if (from.size() < 3) return {};
     std::vector<unsigned char> agrees;
-    const cv::Mat affine =
-        cv::estimateAffine2D(query,
-                             candidate,
-                             agrees,
-                             cv::RANSAC,
-                             kAffineError * diagonal(pair.candidate.image_size),
-                             500,
-                             0.99,
-                             5);
+    const cv::Mat affine = cv::estimateAffine2D(query,
+                                                candidate,
+                                                agrees,
+                                                cv::RANSAC,
+                                                kAffineError * diagonal(pair.candidate.image_size),
+                                                500,
+                                                0.99,
+                                                5);
     if (affine.empty()) return {};
     AffineFit fit{static_cast<std::size_t>(cv::countNonZero(agrees)), std::nullopt};
     const cv::Matx23d m(affine);
@@ -155,7 +154,8 @@ double confirmed_share(const MatchedPair& pair, const LocalMap& map)
     const KeypointGrid grid(candidate, kSearchRadius * diagonal(candidate.image_size));
     const double octaves = std::log2(map.scale());
     const int size_steps = static_cast<int>(std::lround(octaves * KeypointShape::kStepsPerOctave));
-    const int smallest = static_cast<int>(std::log2(kSmallestSizePx) * KeypointShape::kStepsPerOctave);
+    const int smallest =
+        static_cast<int>(std::log2(kSmallestSizePx) * KeypointShape::kStepsPerOctave);
     std::size_t expected = 0;
     std::size_t confirmed = 0;
     for (std::size_t k = 0; k < (query.positions.size() + 1) / 2; ++k)
@@ -189,8 +189,7 @@ void require_shapes(const HashedFeatures& features)
 std::size_t count_close(const std::vector<Match>& matches, int bits)
 {
     std::size_t close = 0;
-    for (const auto& match : matches)
-        close += match.distance_bits <= kCloseBits * bits ? 1U : 0U;
+    for (const auto& match : matches) close += match.distance_bits <= kCloseBits * bits ? 1U : 0U;
     return close;
 }
 }  // namespace

@@ -106,7 +106,7 @@ double measured_depth_factor(const Residuals& residuals, const MeasuredNoise& no
 
 /** Of matches that all agree with the pose. */
 Residuals residuals_of(const std::vector<MeasuredMatch>& matches,
-                       const CameraPair& cameras,
+                       const PinholePair& cameras,
                        const RigidTransform& pose,
                        const std::vector<std::size_t>& which)
 {
@@ -252,7 +252,7 @@ RigidTransform moved(const RigidTransform& pose, const cv::Vec<double, 6>& step)
 }  // namespace
 
 std::vector<std::size_t> agreeing(const std::vector<MeasuredMatch>& matches,
-                                  const CameraPair& cameras,
+                                  const PinholePair& cameras,
                                   const RigidTransform& candidate_from_query,
                                   const MeasuredNoise& noise)
 {
@@ -266,7 +266,7 @@ std::vector<std::size_t> agreeing(const std::vector<MeasuredMatch>& matches,
 }
 
 std::optional<RefinedPose> refined_pose(const std::vector<MeasuredMatch>& matches,
-                                        const CameraPair& cameras,
+                                        const PinholePair& cameras,
                                         const RigidTransform& start)
 {
     constexpr int kMaxIterations = 30;

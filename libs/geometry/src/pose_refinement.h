@@ -27,7 +27,7 @@ struct RefinedPose
 /** Matches that a pose explains: their squared Mahalanobis distance is below the 99.9 % quantile.
  */
 std::vector<std::size_t> agreeing(const std::vector<MeasuredMatch>& matches,
-                                  const CameraPair& cameras,
+                                  const PinholePair& cameras,
                                   const RigidTransform& candidate_from_query,
                                   const MeasuredNoise& noise);
 
@@ -35,7 +35,7 @@ std::vector<std::size_t> agreeing(const std::vector<MeasuredMatch>& matches,
  *  RelativePoseEstimator. \return nothing when fewer than six matches agree, or they leave a degree
  *  of freedom open. Deterministic. */
 std::optional<RefinedPose> refined_pose(const std::vector<MeasuredMatch>& matches,
-                                        const CameraPair& cameras,
+                                        const PinholePair& cameras,
                                         const RigidTransform& start);
 
 }  // namespace fild

@@ -88,7 +88,7 @@ cv::Matx<double, 3, 6> side_by_side(const cv::Matx33d& left, const cv::Matx33d& 
 }  // namespace
 
 std::optional<PoseResidual> pose_residual(const MeasuredMatch& match,
-                                          const CameraPair& cameras,
+                                          const PinholePair& cameras,
                                           const RigidTransform& candidate_from_query)
 {
     const auto& [query, candidate] = match;

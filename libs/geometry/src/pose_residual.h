@@ -30,7 +30,7 @@ struct MeasuredMatch
 };
 
 /** Both cameras, pinholes. */
-struct CameraPair
+struct PinholePair
 {
     CameraModel query;
     CameraModel candidate;
@@ -52,7 +52,7 @@ struct PoseResidual
 
 /** \return nothing when the point lies behind the camera it is projected into. */
 std::optional<PoseResidual> pose_residual(const MeasuredMatch& match,
-                                          const CameraPair& cameras,
+                                          const PinholePair& cameras,
                                           const RigidTransform& candidate_from_query);
 
 }  // namespace fild

@@ -93,7 +93,7 @@ std::optional<RigidTransform> ransac_pose(const PointsAndPixels& seen,
 
 /** Both ways' hypothesis with which more matches agree. */
 std::optional<RigidTransform> best_hypothesis(const std::vector<MeasuredMatch>& matches,
-                                              const CameraPair& cameras,
+                                              const PinholePair& cameras,
                                               const cv::UsacParams& usac)
 {
     PointsAndPixels candidate_points;
@@ -279,7 +279,7 @@ RelativePose RelativePoseEstimator::estimate(const PoseView& query,
         result.reason = NoMetricPose::too_few_points;
         return result;
     }
-    const CameraPair cameras{*query.camera, *candidate.camera};
+    const PinholePair cameras{*query.camera, *candidate.camera};
     const auto start =
         best_hypothesis(measured.matches, cameras, usac_parameters(options_, random_state_));
     if (!start) return result;

@@ -35,8 +35,8 @@ class Agreement
 {
  public:
     explicit Agreement(const ShapeTolerance& tolerance)
-        : angle_steps_(
-              static_cast<int>(tolerance.angle_deg / kDegreesPerTurn * KeypointShape::kStepsPerTurn)),
+        : angle_steps_(static_cast<int>(tolerance.angle_deg / kDegreesPerTurn *
+                                        KeypointShape::kStepsPerTurn)),
           size_steps_(static_cast<int>(tolerance.octaves * KeypointShape::kStepsPerOctave))
     {
     }
@@ -81,10 +81,10 @@ DominantShape dominant_shape(const std::vector<Match>& matches,
 }
 
 std::vector<std::size_t> indices_of_shape(const DominantShape& shape,
-                                    const std::vector<Match>& matches,
-                                    const std::vector<KeypointShape>& query,
-                                    const std::vector<KeypointShape>& candidate,
-                                    const ShapeTolerance& tolerance)
+                                          const std::vector<Match>& matches,
+                                          const std::vector<KeypointShape>& query,
+                                          const std::vector<KeypointShape>& candidate,
+                                          const ShapeTolerance& tolerance)
 {
     const Agreement agree(tolerance);
     std::vector<std::size_t> kept;

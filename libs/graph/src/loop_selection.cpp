@@ -15,12 +15,13 @@ namespace
 /** The fate of each loop before the graph is optimised. */
 std::vector<LoopFate> first_fates(const PoseGraph& graph,
                                   const TGraphOptions& options,
+                                  const CheckCancelled& check_cancelled,
                                   bool& is_largest_set)
 {
     std::vector<LoopFate> fates(graph.loops.size(), LoopFate::used);
     if (!options.pairwise_consistency) return fates;
-    const auto agreement =
-        find_consistent_loops(graph, {options.pairwise_confidence, options.odometry_confidence});
+    const auto agreement = find_consistent_loops(
+        graph, {options.pairwise_confidence, options.odometry_confidence}, check_cancelled);
     for (const auto i : agreement.against_odometry) fates[i] = LoopFate::against_odometry;
     for (const auto i : agreement.against_others) fates[i] = LoopFate::against_others;
     is_largest_set = agreement.is_largest;
@@ -29,14 +30,15 @@ std::vector<LoopFate> first_fates(const PoseGraph& graph,
 
 OptimizedPoses optimize_used(const PoseGraph& graph,
                              const std::vector<LoopFate>& fates,
-                             const TGraphOptions& options)
+                             const TGraphOptions& options,
+                             const CheckCancelled& check_cancelled)
 {
     const OptimizationLimits limits{options.max_iterations, options.loop_confidence};
     std::vector<bool> used;
     used.reserve(fates.size());
     for (const auto fate : fates) used.push_back(fate == LoopFate::used);
-    if (options.robust_weights) return optimize_robustly(graph, used, limits);
-    return optimize(graph, {used.begin(), used.end()}, limits);
+    if (options.robust_weights) return optimize_robustly(graph, used, limits, check_cancelled);
+    return optimize(graph, {used.begin(), used.end()}, limits, check_cancelled);
 }
 
 /** Takes loops back that agree with the poses; false when there is none. */
@@ -83,18 +85,20 @@ const char* to_word(LoopFate fate)
     }
 }
 
-GraphSolution solve_graph(const PoseGraph& graph, const TGraphOptions& options)
+GraphSolution solve_graph(const PoseGraph& graph,
+                          const TGraphOptions& options,
+                          const CheckCancelled& check_cancelled)
 {
     options.check();
     graph.check();
     bool is_largest_set = true;
-    auto fates = first_fates(graph, options, is_largest_set);
-    auto poses = optimize_used(graph, fates, options);
+    auto fates = first_fates(graph, options, check_cancelled, is_largest_set);
+    auto poses = optimize_used(graph, fates, options, check_cancelled);
     const double limit = mrpt::math::chi2inv(options.loop_confidence, 6);
     if (options.robust_weights && take_back(poses, limit, fates))
     {
         const int before = poses.optimizations;
-        poses = optimize_used(graph, fates, options);
+        poses = optimize_used(graph, fates, options, check_cancelled);
         poses.optimizations += before;
     }
     auto solution = to_solution(std::move(poses), fates);

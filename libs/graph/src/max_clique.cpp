@@ -68,8 +68,12 @@ struct Coloured
 class CliqueSearch
 {
  public:
-    CliqueSearch(std::vector<VertexSet> neighbours, std::size_t max_steps)
-        : neighbours_(std::move(neighbours)), steps_left_(max_steps)
+    CliqueSearch(std::vector<VertexSet> neighbours,
+                 std::size_t max_steps,
+                 const CheckCancelled& check_cancelled)
+        : neighbours_(std::move(neighbours)),
+          steps_left_(max_steps),
+          check_cancelled_(check_cancelled)
     {
     }
 
@@ -111,6 +115,7 @@ class CliqueSearch
         std::vector<std::size_t> clique;
         while (!left.empty())
         {
+            check_cancelled_();
             std::size_t best = left.end();
             std::size_t most = 0;
             for (auto v = left.first_from(0); v < left.end(); v = left.first_from(v + 1))
@@ -134,6 +139,7 @@ class CliqueSearch
         for (std::size_t i = order.size(); i-- > 0;)
         {
             if (chosen.size() + order[i].colours <= best_.size() || steps_left_ == 0) return;
+            check_cancelled_();
             --steps_left_;
             auto remaining = left;
             remaining &= neighbours_[order[i].vertex];
@@ -146,6 +152,7 @@ class CliqueSearch
 
     std::vector<VertexSet> neighbours_;
     std::size_t steps_left_;
+    const CheckCancelled& check_cancelled_;
     std::vector<std::size_t> best_;
 };
 
@@ -177,7 +184,9 @@ std::vector<std::size_t> by_degree(const std::vector<std::vector<bool>>& adjacen
 }
 }  // namespace
 
-Clique largest_clique(const std::vector<std::vector<bool>>& adjacency, std::size_t max_steps)
+Clique largest_clique(const std::vector<std::vector<bool>>& adjacency,
+                      const CheckCancelled& check_cancelled,
+                      std::size_t max_steps)
 {
     check(adjacency);
     const auto order = by_degree(adjacency);
@@ -185,7 +194,7 @@ Clique largest_clique(const std::vector<std::vector<bool>>& adjacency, std::size
     for (std::size_t i = 0; i < order.size(); ++i)
         for (std::size_t j = 0; j < order.size(); ++j)
             if (i != j && adjacency[order[i]][order[j]]) neighbours[i].insert(j);
-    auto clique = CliqueSearch(std::move(neighbours), max_steps).run();
+    auto clique = CliqueSearch(std::move(neighbours), max_steps, check_cancelled).run();
     for (auto& vertex : clique.vertices) vertex = order[vertex];
     std::sort(clique.vertices.begin(), clique.vertices.end());
     return clique;

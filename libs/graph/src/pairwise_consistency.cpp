@@ -146,14 +146,18 @@ void add_largest_set(const OdometryChain& odometry,
                      const std::vector<Loop>& loops,
                      const std::vector<std::size_t>& members,
                      double limit,
+                     const CheckCancelled& check_cancelled,
                      LoopAgreement& agreement)
 {
     std::vector<std::vector<bool>> agrees(members.size(), std::vector<bool>(members.size()));
     for (std::size_t i = 0; i < members.size(); ++i)
+    {
+        check_cancelled();
         for (std::size_t j = 0; j < i; ++j)
             agrees[i][j] = agrees[j][i] =
                 cycle_error(odometry, loops[members[i]], loops[members[j]]) <= limit;
-    const auto clique = largest_clique(agrees);
+    }
+    const auto clique = largest_clique(agrees, check_cancelled);
     agreement.is_largest = agreement.is_largest && clique.upper_bound == clique.vertices.size();
     for (std::size_t i = 0; i < members.size(); ++i)
         (std::binary_search(clique.vertices.begin(), clique.vertices.end(), i)
@@ -176,7 +180,9 @@ double cycle_error(const PoseGraph& graph, std::size_t loop_i, std::size_t loop_
     return cycle_error(odometry, i, j);
 }
 
-LoopAgreement find_consistent_loops(const PoseGraph& graph, const AgreementLimits& limits)
+LoopAgreement find_consistent_loops(const PoseGraph& graph,
+                                    const AgreementLimits& limits,
+                                    const CheckCancelled& check_cancelled)
 {
     graph.check();
     const double pairwise = limit_of(limits.pairwise, "pairwise");
@@ -197,7 +203,7 @@ LoopAgreement find_consistent_loops(const PoseGraph& graph, const AgreementLimit
             groups[segments].push_back(i);
     }
     for (const auto& [segments, members] : groups)
-        add_largest_set(odometry, loops, members, pairwise, agreement);
+        add_largest_set(odometry, loops, members, pairwise, check_cancelled, agreement);
     std::sort(agreement.consistent.begin(), agreement.consistent.end());
     std::sort(agreement.against_others.begin(), agreement.against_others.end());
     return agreement;

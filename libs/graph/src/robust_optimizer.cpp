@@ -10,11 +10,13 @@
 #include <algorithm>
 #include <array>
 #include <ceres/autodiff_cost_function.h>
+#include <ceres/iteration_callback.h>
 #include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/rotation.h>
 #include <ceres/solver.h>
 #include <cmath>
+#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -84,12 +86,44 @@ class EdgeError
 
 const double kFullWeight = 1;
 
+/** Ends Ceres' work when the caller cancels; Ceres itself lets no exception through. */
+class CancellationCallback : public ceres::IterationCallback
+{
+ public:
+    explicit CancellationCallback(const CheckCancelled& check) : check_(check) {}
+
+    ceres::CallbackReturnType operator()(const ceres::IterationSummary& /*summary*/) override
+    {
+        try
+        {
+            check_();
+            return ceres::SOLVER_CONTINUE;
+        }
+        catch (const std::exception&)
+        {
+            thrown_ = std::current_exception();
+            return ceres::SOLVER_ABORT;
+        }
+    }
+
+    void rethrow() const
+    {
+        if (thrown_) std::rethrow_exception(thrown_);
+    }
+
+ private:
+    const CheckCancelled& check_;
+    std::exception_ptr thrown_;
+};
+
 /** A graph in Ceres' terms, whose loop weights can be changed between solutions. */
 class LeastSquares
 {
  public:
-    LeastSquares(const PoseGraph& graph, const std::vector<bool>& loops_used)
-        : graph_(graph), weights_(graph.loops.size(), 0)
+    LeastSquares(const PoseGraph& graph,
+                 const std::vector<bool>& loops_used,
+                 const CheckCancelled& check_cancelled)
+        : graph_(graph), check_cancelled_(check_cancelled), weights_(graph.loops.size(), 0)
     {
         states_.reserve(graph.nodes.size());
         for (const auto& node : graph.nodes) states_.push_back(to_state(node.map_from_robot));
@@ -112,10 +146,13 @@ class LeastSquares
         options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
         options.function_tolerance = 1e-9;
         options.logging_type = ceres::SILENT;
+        CancellationCallback cancellation(check_cancelled_);
+        options.callbacks.push_back(&cancellation);
         ceres::Solver::Summary summary;
         if (problem_.NumResidualBlocks() > 0)
         {
             ceres::Solve(options, &problem_, &summary);
+            cancellation.rethrow();
             if (!summary.IsSolutionUsable())
                 throw std::runtime_error("the pose graph cannot be optimised: " + summary.message);
         }
@@ -190,6 +227,7 @@ class LeastSquares
     }
 
     const PoseGraph& graph_;
+    const CheckCancelled& check_cancelled_;
     std::vector<double> weights_;  ///< never resized: the residuals point at them
     std::vector<NodeState> states_;  ///< never resized, likewise
     ceres::Problem problem_;
@@ -249,7 +287,8 @@ double squared_error(const GraphEdge& edge,
 
 OptimizedPoses optimize(const PoseGraph& graph,
                         const std::vector<double>& loop_weights,
-                        const OptimizationLimits& limits)
+                        const OptimizationLimits& limits,
+                        const CheckCancelled& check_cancelled)
 {
     graph.check();
     check(limits);
@@ -263,14 +302,15 @@ OptimizedPoses optimize(const PoseGraph& graph,
                                         " is outside [0, 1]");
         used.push_back(weight > 0);
     }
-    LeastSquares problem(graph, used);
+    LeastSquares problem(graph, used, check_cancelled);
     problem.solve(loop_weights, limits.max_iterations);
     return problem.result();
 }
 
 OptimizedPoses optimize_robustly(const PoseGraph& graph,
                                  const std::vector<bool>& candidates,
-                                 const OptimizationLimits& limits)
+                                 const OptimizationLimits& limits,
+                                 const CheckCancelled& check_cancelled)
 {
     graph.check();
     check(limits);
@@ -278,7 +318,7 @@ OptimizedPoses optimize_robustly(const PoseGraph& graph,
     constexpr double kGrowth = 1.4;  // of mu, as published
     constexpr int kMaxStages = 100;
     const double limit = mrpt::math::chi2inv(limits.loop_confidence, 6);
-    LeastSquares problem(graph, candidates);
+    LeastSquares problem(graph, candidates, check_cancelled);
     std::vector<double> weights(candidates.begin(), candidates.end());
     problem.solve(weights, limits.max_iterations);
     auto errors = problem.loop_errors();

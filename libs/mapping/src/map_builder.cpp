@@ -105,7 +105,7 @@ Map MapBuilder::build(const LoopDetector& detector, StageTimes& times, const GoO
     if (detector_options_.relative_pose.enabled) scale_by_motion(map, detector, times, go_on);
     go_on();
     const StageTimer timer(times, "graph");
-    solve(map);
+    solve(map, go_on);
     return map;
 }
 
@@ -192,7 +192,7 @@ void MapBuilder::scale_by_motion(Map& map,
                        });
 }
 
-void MapBuilder::solve(Map& map) const
+void MapBuilder::solve(Map& map, const GoOn& go_on) const
 {
     std::vector<LoopMeasurement> measured;
     std::vector<LoopEdge*> edges;
@@ -209,7 +209,7 @@ void MapBuilder::solve(Map& map) const
     }
     if (map.trajectory.poses().empty()) return;
     const auto built = build_pose_graph(map.trajectory, measured, graph_options_);
-    const auto solution = solve_graph(built.graph, graph_options_);
+    const auto solution = solve_graph(built.graph, graph_options_, go_on);
     for (std::size_t i = 0; i < edges.size(); ++i) edges[i]->result = solution.loops[i];
     map.graph = solved_graph(built.graph, solution);
     map.parts = solution.parts;

@@ -8,6 +8,8 @@ namespace fild
 {
 namespace
 {
+constexpr std::size_t kLongestMatched = 255;
+
 std::string join(const std::set<std::string>& labels)
 {
     std::string joined;
@@ -46,7 +48,10 @@ std::string CameraLabels::describe() const
 
 bool CameraLabels::wants(const std::string& label) const
 {
-    return pattern_ ? std::regex_match(label, *pattern_) : label == first_;
+    if (!pattern_) return label == first_;
+    // std::regex_match() goes one call deeper for each character: a long label, which only a
+    // damaged rawlog has, overflows the stack.
+    return label.size() <= kLongestMatched && std::regex_match(label, *pattern_);
 }
 
 }  // namespace fild

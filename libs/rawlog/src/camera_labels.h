@@ -14,7 +14,8 @@ namespace fild
 class CameraLabels
 {
  public:
-    /** \param pattern  regular expression for the whole label; empty: the first camera's label.
+    /** \param pattern  regular expression for the whole label; a label of more than 255 characters
+     *  never matches. Empty: the first camera's label.
      *  \throw std::regex_error. */
     explicit CameraLabels(const std::string& pattern);
 

@@ -188,6 +188,8 @@ ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRaw
     refuse_existing(request.rawlog_path);
     if (!request.embed) refuse_existing(images_dir);
     if (!recording.robot_path.empty()) refuse_existing(path_file);
+    for (const auto& path : {fs::path(request.rawlog_path), images_dir, path_file})
+        remove_unfinished_of(path.string());
 
     const auto robot_path = write_path(path_file, recording.robot_path);
     RawlogWriter writer(request.rawlog_path);

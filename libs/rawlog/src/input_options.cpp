@@ -22,6 +22,10 @@ void TInputOptions::describe(OptionVisitor& visitor)
 
 void TInputOptions::check_between_fields() const
 {
+    constexpr std::size_t kLongestPattern = 1000;  // std::regex goes deeper with its length
+    if (sensor_label.size() > kLongestPattern)
+        throw std::invalid_argument("sensor_label has " + std::to_string(sensor_label.size()) +
+                                    " characters, more than " + std::to_string(kLongestPattern));
     try
     {
         const std::regex tried(sensor_label);

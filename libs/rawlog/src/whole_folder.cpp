@@ -4,7 +4,6 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace fild
@@ -12,11 +11,12 @@ namespace fild
 namespace fs = std::filesystem;
 
 WholeFolder::WholeFolder(fs::path path)
-    : path_(std::move(path)), location_(path_.string() + ".part-" + std::to_string(::getpid()))
+    : path_(std::move(path)), location_(unfinished_path(path_.string()))
 {
     std::error_code error;
     fs::create_directory(location_, error);
     if (error) throw std::runtime_error("cannot make " + path_.string() + ": " + error.message());
+    lock_.emplace(location_.string());
 }
 
 WholeFolder::~WholeFolder()
@@ -28,11 +28,14 @@ WholeFolder::~WholeFolder()
 
 void WholeFolder::commit()
 {
+    for (const auto& entry : fs::directory_iterator(location_)) sync_to_disk(entry.path().string());
+    sync_to_disk(location_.string());
     std::error_code error;
     fs::rename(location_, path_, error);
     if (error)
         throw std::runtime_error("cannot rename to " + path_.string() + ": " + error.message());
     location_ = path_;
+    sync_to_disk(path_.has_parent_path() ? path_.parent_path().string() : ".");
 }
 
 }  // namespace fild

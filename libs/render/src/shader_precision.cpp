@@ -3,6 +3,7 @@
 
 #include <GL/gl.h>
 #include <GL/osmesa.h>
+#include <dlfcn.h>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,6 +17,12 @@ using ShaderSource = void (*)(GLuint, GLsizei, const char* const*, const GLint*)
 ShaderSource shader_source_of_osmesa()
 {
     return reinterpret_cast<ShaderSource>(OSMesaGetProcAddress("glShaderSource"));
+}
+
+/** The function that would be called if this file did not define one of the same name. */
+ShaderSource shader_source_of_others()
+{
+    return reinterpret_cast<ShaderSource>(::dlsym(RTLD_NEXT, "glShaderSource"));
 }
 
 std::string with_high_precision(std::string source)
@@ -35,12 +42,20 @@ void require_precise_shaders()
 
 }  // namespace fild
 
-/** Called by MRPT: the linker finds the function of the executable before any library's. */
+/** Called by MRPT: the linker finds the function of the executable before any library's.
+ *  Shaders are ours only where an OSMesa context is current. Those of a program that draws with
+ *  OpenGL itself go unchanged to the function that would have received them without this one. */
 extern "C" __attribute__((visibility("default"))) void glShaderSource(GLuint shader,
                                                                       GLsizei count,
                                                                       const char* const* strings,
                                                                       const GLint* lengths)
 {
+    const auto others = fild::shader_source_of_others();
+    if (OSMesaGetCurrentContext() == nullptr && others != nullptr)
+    {
+        others(shader, count, strings, lengths);
+        return;
+    }
     std::string source;
     for (GLsizei i = 0; i < count; ++i)
     {

@@ -16,7 +16,7 @@ CsvTable::CsvTable(const std::string& path) : path_(path)
     if (!std::getline(file, line)) throw std::runtime_error("cannot read " + path);
     columns_ = split_csv_fields(line);
     for (std::size_t i = 0; i < columns_.size(); ++i) positions_[columns_[i]] = i;
-    while (std::getline(file, line))
+    while (read_csv_record(file, line) > 0)
     {
         rows_.push_back(split_csv_fields(line));
         if (rows_.back().size() != columns_.size())

@@ -2,6 +2,7 @@
 #include "evaluation_parts.h"
 
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 namespace fild
@@ -13,6 +14,7 @@ template <class Write>
 std::string rows_of_runs(const EvaluationReport& report, const std::string& header, Write&& write)
 {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     out << header << '\n' << std::fixed << std::setprecision(6);
     for (std::size_t i = 0; i < report.runs.size(); ++i) write(out, i + 1, report.runs[i]);
     return out.str();

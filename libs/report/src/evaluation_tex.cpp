@@ -2,6 +2,7 @@
 #include "evaluation_parts.h"
 
 #include <array>
+#include <locale>
 #include <sstream>
 #include <utility>
 
@@ -45,6 +46,7 @@ std::string evaluation_tex(const EvaluationReport& report)
 {
     const bool several = report.runs.size() > 1;
     std::ostringstream tex;
+    tex.imbue(std::locale::classic());
     tex << "% " << rule_of(report.truth.protocol) << "\n% \\usepackage{booktabs}\n\\begin{tabular}{"
         << (several ? "lrrr" : "lr") << "}\n\\toprule\nProtocol \\texttt{"
         << to_word(report.truth.protocol) << "} & " << (several ? "mean & min & max" : "")

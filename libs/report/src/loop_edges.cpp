@@ -105,20 +105,6 @@ void add_edge(Json& json,
 }
 }  // namespace
 
-PosesOfFrames poses_of_frames(const std::vector<TimedPose>& trajectory,
-                              const std::vector<FrameVerdict>& frames)
-{
-    const auto tick = [](double seconds)
-    { return std::llround(seconds * 1e5); };  // files have 1e-6
-    std::map<long long, const FramePose*> pose_at;
-    for (const auto& pose : trajectory) pose_at.emplace(tick(pose.timestamp), &pose.pose);
-    PosesOfFrames poses(frames.size());
-    for (std::size_t i = 0; i < frames.size(); ++i)
-        if (const auto pose = pose_at.find(tick(frames[i].timestamp)); pose != pose_at.end())
-            poses[i] = *pose->second;
-    return poses;
-}
-
 Json loops_json(const std::vector<FrameVerdict>& frames,
                 const std::string& loops_csv,
                 const std::map<std::string, PosesOfFrames>& trajectories)

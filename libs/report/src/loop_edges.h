@@ -7,19 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace fild
 {
-/** World from robot for each frame; nothing where a frame has no pose. */
-using PosesOfFrames = std::vector<std::optional<FramePose>>;
-
-/** The poses of a trajectory that were taken at the time of a frame. */
-PosesOfFrames poses_of_frames(const std::vector<TimedPose>& trajectory,
-                              const std::vector<FrameVerdict>& frames);
-
 /** A row for each loop closure: `query`, `candidate`, `inliers` and, as far as loops.csv and the
  *  trajectories tell, `edge` (used, or why not), `weight`, `translation_sd_m`; how far the edge is
  *  from the trajectory, `residual_before_m`, `residual_before_deg`, `residual_after_m`,

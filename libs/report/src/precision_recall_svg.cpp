@@ -3,6 +3,7 @@
 
 #include <array>
 #include <iomanip>
+#include <locale>
 #include <sstream>
 
 namespace fild
@@ -108,6 +109,7 @@ void draw_legend(std::ostream& svg, const EvaluationReport& report)
 std::string precision_recall_svg(const EvaluationReport& report)
 {
     std::ostringstream svg;
+    svg.imbue(std::locale::classic());
     svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << kWidth << "' height='" << kHeight
         << "' viewBox='0 0 " << kWidth << ' ' << kHeight
         << "' font-family='sans-serif' font-size='14'>\n<title>Precision and recall</title>\n"

@@ -93,10 +93,11 @@ std::map<std::string, PosesOfFrames> read_trajectories(const RunFolder& run,
     auto true_poses = truth ? truth->poses : std::vector<PosedFrame>();
     for (const std::string name : {"input", "optimized"})
     {
-        const auto poses = read_run_trajectory(run.path, name, run.frames);
+        auto poses = read_run_poses(run.path, name, run.frames);
         if (!poses) continue;
-        trajectories[name] = poses_of_frames(*poses, run.frames);
-        if (!true_poses.empty()) true_poses = laid_over(*poses, std::move(true_poses));
+        if (!true_poses.empty())
+            true_poses = laid_over(timed_poses(*poses, run.frames), std::move(true_poses));
+        trajectories[name] = std::move(*poses);
     }
     for (const auto& frame : true_poses) trajectories["truth"].push_back(frame.pose);
     return trajectories;
@@ -149,7 +150,9 @@ std::string why_no_map(const Json& summary)
     if (auto ended = summary.value("ended_early", ""); !ended.empty()) return ended;
     for (const auto& note : summary.value("map", Json::object()).value("notes", Json::array()))
         if (auto text = note.get<std::string>(); text.rfind("no map", 0) == 0) return text;
-    return "this run has no trajectory_input.tum and no trajectory_optimized.tum, nor .kitti";
+    return "this run has no poses.csv, no trajectory_input.tum and no trajectory_optimized.tum, "
+           "nor "
+           ".kitti";
 }
 }  // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/report/run_summary.h"
 
+#include "fild/core/parse_number.h"
 #include "fild/core/whole_file.h"
 
 #include <nlohmann/json.hpp>
@@ -154,6 +155,16 @@ void write_summary(const RunSummary& summary, const std::string& path)
     WholeFile file(path);
     file.stream() << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     file.commit();
+}
+
+std::optional<double> read_run_delay(const std::string& path)
+{
+    std::ifstream file(path);
+    const auto json = Json::parse(file, nullptr, false);
+    if (!json.is_object()) return std::nullopt;
+    const Json::json_pointer pointer("/options/index/delay_seconds");
+    if (!json.contains(pointer) || !json.at(pointer).is_string()) return std::nullopt;
+    return parse_number<double>(json.at(pointer).get<std::string>());
 }
 
 std::string sha256_of_file(const std::string& path)

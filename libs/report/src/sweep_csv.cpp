@@ -2,6 +2,7 @@
 #include "sweep_parts.h"
 
 #include <iomanip>
+#include <locale>
 #include <set>
 #include <sstream>
 
@@ -12,6 +13,7 @@ namespace
 std::ostringstream begin_csv(const SweepReport& report)
 {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     for (const auto& key : report.keys) out << key << ',';
     out << std::fixed << std::setprecision(6);
     return out;
@@ -140,7 +142,8 @@ std::string sweep_pairs_csv(const SweepReport& report)
 {
     auto out = begin_csv(report);
     out << "seed,frame,candidate,rank,matches,inliers";
-    for (std::size_t k = 0; k < kEvidenceKinds; ++k) out << ',' << to_word(static_cast<Evidence>(k));
+    for (std::size_t k = 0; k < kEvidenceKinds; ++k)
+        out << ',' << to_word(static_cast<Evidence>(k));
     out << ",against_chance,against_look_alike,truth\n";
     for (const auto& point : report.points)
         for (std::size_t i = 0; i < point.runs.size(); ++i)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <locale>
 #include <sstream>
 
 namespace fild
@@ -167,6 +168,7 @@ class Plot
                  << y_of(value) << "' y2='" << y_of(value) << "' stroke='"
                  << (i == 0 ? "#000000" : "#dddddd") << "'/>\n";
             std::ostringstream number;
+            number.imbue(std::locale::classic());
             number << value;
             text(left_ - 8, y_of(value) + 5, "end", number.str());
         }
@@ -275,6 +277,7 @@ std::string sweep_svg(const SweepReport& report)
     const double height =
         legend_top + (needs_legend ? kLegendRow * static_cast<double>(all_series.size()) : 0);
     std::ostringstream svg;
+    svg.imbue(std::locale::classic());
     svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << width << "' height='" << height
         << "' viewBox='0 0 " << width << ' ' << height
         << "' font-family='sans-serif' font-size='14'>\n<title>Sweep</title>\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep_parts.h"
 
+#include <locale>
 #include <sstream>
 
 namespace fild
@@ -33,6 +34,7 @@ std::string sweep_tex(const SweepReport& report)
     for (const auto& column : kSweepColumns) head.emplace_back(column.tex);
     for (const auto& column : kSweepTimes) head.emplace_back(column.tex);
     std::ostringstream tex;
+    tex.imbue(std::locale::classic());
     tex << "% " << rule_of(report.truth.protocol) << "\n% \\usepackage{booktabs}\n\\begin{tabular}{"
         << std::string(head.size(), 'r') << "}\n\\toprule\n";
     write_row(tex, head);

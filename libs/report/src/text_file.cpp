@@ -19,6 +19,7 @@ std::filesystem::path make_folder(const std::string& folder)
 
 void write_text_file(const std::filesystem::path& path, const std::string& content)
 {
+    remove_unfinished_of(path.string());
     WholeFile file(path.string());
     file.stream() << content;
     file.commit();

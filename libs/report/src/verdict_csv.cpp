@@ -4,7 +4,7 @@
 #include "fild/core/angle.h"
 
 #include <array>
-#include <cstdio>
+#include <charconv>
 #include <ostream>
 #include <tuple>
 
@@ -12,11 +12,13 @@ namespace fild
 {
 namespace
 {
+/** With 6 decimals; unlike printf() whatever the locale of the program. */
 std::string fixed6(double value)
 {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.6f", value);
-    return text.data();
+    std::array<char, 400> text{};  // the largest double has 309 digits before the point
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, 6);
+    return {text.data(), end.ptr};
 }
 
 /** The text as one CSV field, in quotes where RFC 4180 wants them. */
@@ -102,7 +104,7 @@ VerdictCsv::VerdictCsv(const std::string& path) : file_(path)
 void VerdictCsv::add(const FrameVerdict& verdict, const std::string& depth_source)
 {
     write_verdict(file_.stream(), verdict, depth_source);
-    file_.stream() << '\n';
+    file_.stream() << '\n' << std::flush;
 }
 
 LoopCsv::LoopCsv(const std::string& path) : file_(path)

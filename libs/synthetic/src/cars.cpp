@@ -54,7 +54,7 @@ void add_wheels(TexturedMesh& mesh, const PlaceFrame& frame, Lot& lot)
 }
 }  // namespace
 
-void add_car(TexturedMesh& bodies, TexturedMesh& wheels, const Place& car)
+void add_car(TexturedMesh& bodies, TexturedMesh& wheels, const StandingObject& car)
 {
     Lot lot(car.seed);
     const PlaceFrame frame(car, 0);
@@ -62,7 +62,7 @@ void add_car(TexturedMesh& bodies, TexturedMesh& wheels, const Place& car)
     add_wheels(wheels, frame, lot);
 }
 
-void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& cars)
+void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<StandingObject>& cars)
 {
     TexturedMesh bodies;
     TexturedMesh wheels;

@@ -12,8 +12,8 @@ class COpenGLScene;
 namespace fild
 {
 /** One car on the road. \param bodies  of paint_cars(). \param wheels  of paint_wheels(). */
-void add_car(TexturedMesh& bodies, TexturedMesh& wheels, const Place& car);
+void add_car(TexturedMesh& bodies, TexturedMesh& wheels, const StandingObject& car);
 
-void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& cars);
+void add_cars(mrpt::opengl::COpenGLScene& scene, const std::vector<StandingObject>& cars);
 
 }  // namespace fild

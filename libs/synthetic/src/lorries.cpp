@@ -308,7 +308,10 @@ cv::Mat paint_lorries()
     return picture;
 }
 
-void add_lorry(TexturedMesh& bodies, TexturedMesh& wheels, const Place& lorry, LorryKind kind)
+void add_lorry(TexturedMesh& bodies,
+               TexturedMesh& wheels,
+               const StandingObject& lorry,
+               LorryKind kind)
 {
     Lot lot(lorry.seed);
     const PlaceFrame frame(lorry, 0);

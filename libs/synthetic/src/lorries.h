@@ -19,6 +19,9 @@ enum class LorryKind
 cv::Mat paint_lorries();
 
 /** One of them on the road. \param bodies  of paint_lorries(). \param wheels  of paint_wheels(). */
-void add_lorry(TexturedMesh& bodies, TexturedMesh& wheels, const Place& lorry, LorryKind kind);
+void add_lorry(TexturedMesh& bodies,
+               TexturedMesh& wheels,
+               const StandingObject& lorry,
+               LorryKind kind);
 
 }  // namespace fild

@@ -164,7 +164,7 @@ struct Level
 class Body
 {
  public:
-    Body(TexturedMesh& mesh, const Place& person, double stride)
+    Body(TexturedMesh& mesh, const StandingObject& person, double stride)
         : mesh_(mesh),
           frame_(person, kKerbHeight),
           lot_(person.seed),
@@ -308,7 +308,7 @@ cv::Mat paint_people()
     return picture;
 }
 
-void add_person(TexturedMesh& mesh, const Place& person, double stride)
+void add_person(TexturedMesh& mesh, const StandingObject& person, double stride)
 {
     Body(mesh, person, stride).add();
 }

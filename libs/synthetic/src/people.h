@@ -11,6 +11,6 @@ cv::Mat paint_people();
 
 /** Someone on the pavement. \param mesh  of paint_people().
  *  \param stride  how far a step is done: the legs swing as its sine, [0, 1); 0: stands. */
-void add_person(TexturedMesh& mesh, const Place& person, double stride);
+void add_person(TexturedMesh& mesh, const StandingObject& person, double stride);
 
 }  // namespace fild

@@ -11,7 +11,7 @@ namespace fild
 class PlaceFrame
 {
  public:
-    PlaceFrame(const Place& place, double base) : place_(place), base_(base) {}
+    PlaceFrame(const StandingObject& place, double base) : place_(place), base_(base) {}
 
     cv::Point3d at(double ahead, double left, double up) const
     {
@@ -21,7 +21,7 @@ class PlaceFrame
     }
 
  private:
-    Place place_;
+    StandingObject place_;
     double base_;
 };
 

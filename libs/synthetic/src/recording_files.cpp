@@ -33,6 +33,8 @@ struct RecordingFiles::Names
             images.clear();
         else
             refuse_existing(images);
+        for (const auto& path : {rawlog, poses, loops, beside("_Images")})
+            remove_unfinished_of(path.string());
     }
 
     fs::path rawlog;

@@ -29,7 +29,7 @@ void RoadUserScene::show(const std::vector<RoadUser>& users)
     for (auto* shown : {&people_, &cars_, &lorries_, &wheels_}) shown->mesh.clear();
     for (const auto& user : users)
     {
-        const Place place{{user.x, user.y}, user.heading, user.seed};
+        const StandingObject place{{user.x, user.y}, user.heading, user.seed};
         switch (user.kind)
         {
             case RoadUserKind::pedestrian:

@@ -7,7 +7,8 @@
 
 namespace fild
 {
-void add_lamp_posts(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& lamp_posts)
+void add_lamp_posts(mrpt::opengl::COpenGLScene& scene,
+                    const std::vector<StandingObject>& lamp_posts)
 {
     TexturedMesh posts;
     for (const auto& place : lamp_posts)

@@ -12,6 +12,7 @@ class COpenGLScene;
 
 namespace fild
 {
-void add_lamp_posts(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& lamp_posts);
+void add_lamp_posts(mrpt::opengl::COpenGLScene& scene,
+                    const std::vector<StandingObject>& lamp_posts);
 
 }  // namespace fild

@@ -93,10 +93,10 @@ void build_rows(std::vector<HouseRow>& rows, const TTownOptions& options, Lot& l
 }
 
 /** Places every `least` to `most` metres along a row, clear of its ends. */
-std::vector<Place> places_along(
+std::vector<StandingObject> places_along(
     const HouseRow& row, double out, double clear, double least, double most, Lot& lot)
 {
-    std::vector<Place> places;
+    std::vector<StandingObject> places;
     const auto heading = std::atan2(-row.along.y, -row.along.x);  // the fronts are on the right
     for (double right = clear; right < row.length - clear; right += lot.real(least, most))
         places.push_back({row.at(right, out), heading, lot.seed()});
@@ -113,7 +113,7 @@ bool at_a_crossing(const StreetGrid& grid, const HouseRow& row, const cv::Point2
     return from_street < grid.carriageway / 2 + kClear;
 }
 
-void append(std::vector<Place>& all, const std::vector<Place>& more)
+void append(std::vector<StandingObject>& all, const std::vector<StandingObject>& more)
 {
     all.insert(all.end(), more.begin(), more.end());
 }
@@ -141,11 +141,11 @@ TownPlan plan_town(const TTownOptions& options)
     return plan;
 }
 
-std::vector<Place> parked_cars(const TownPlan& plan, std::uint64_t seed)
+std::vector<StandingObject> parked_cars(const TownPlan& plan, std::uint64_t seed)
 {
     constexpr double kTaken = 0.45;
     Lot lot(seed);
-    std::vector<Place> cars;
+    std::vector<StandingObject> cars;
     for (auto bay : plan.parking_bays)
     {
         bay.seed = lot.seed();

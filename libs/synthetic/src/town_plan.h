@@ -42,7 +42,7 @@ struct HouseRow
 };
 
 /** Something on the ground: where and which way it faces. */
-struct Place
+struct StandingObject
 {
     cv::Point2d at;  ///< m
     double heading = 0;  ///< rad
@@ -54,14 +54,14 @@ struct TownPlan
 {
     StreetGrid grid;
     std::vector<HouseRow> rows;
-    std::vector<Place> trees;
-    std::vector<Place> lamp_posts;
-    std::vector<Place> parking_bays;  ///< where a car may stand, heading with the traffic
+    std::vector<StandingObject> trees;
+    std::vector<StandingObject> lamp_posts;
+    std::vector<StandingObject> parking_bays;  ///< where a car may stand, heading with the traffic
 };
 
 TownPlan plan_town(const TTownOptions& options);
 
 /** The bays in which a car stands, with a seed for its looks each. */
-std::vector<Place> parked_cars(const TownPlan& plan, std::uint64_t seed);
+std::vector<StandingObject> parked_cars(const TownPlan& plan, std::uint64_t seed);
 
 }  // namespace fild

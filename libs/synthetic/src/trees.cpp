@@ -134,7 +134,7 @@ void add_branches(TexturedMesh& wood, const PlaceFrame& frame, double height, Lo
     }
 }
 
-void add_tree(TreeMeshes& meshes, const Place& tree, const Foliage& foliage)
+void add_tree(TreeMeshes& meshes, const StandingObject& tree, const Foliage& foliage)
 {
     Lot lot(tree.seed);
     const PlaceFrame frame(tree, kKerbHeight);
@@ -155,7 +155,7 @@ void add_tree(TreeMeshes& meshes, const Place& tree, const Foliage& foliage)
 }
 }  // namespace
 
-Foliage foliage_of(const Place& tree, double season)
+Foliage foliage_of(const StandingObject& tree, double season)
 {
     if (season <= 0) return {};
     Lot lot(tree.seed + 1);
@@ -166,7 +166,9 @@ Foliage foliage_of(const Place& tree, double season)
     return foliage;
 }
 
-void add_trees(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& trees, double season)
+void add_trees(mrpt::opengl::COpenGLScene& scene,
+               const std::vector<StandingObject>& trees,
+               double season)
 {
     TreeMeshes meshes;
     for (const auto& tree : trees) add_tree(meshes, tree, foliage_of(tree, season));

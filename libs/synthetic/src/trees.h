@@ -21,9 +21,11 @@ struct Foliage
 constexpr int kAutumnColours = 2;  ///< yellow and rust
 
 /** \param season  0: summer, all trees green; 1: late autumn, most of them turned or bare. */
-Foliage foliage_of(const Place& tree, double season);
+Foliage foliage_of(const StandingObject& tree, double season);
 
 /** Trees with the foliage of a season, see foliage_of(). */
-void add_trees(mrpt::opengl::COpenGLScene& scene, const std::vector<Place>& trees, double season);
+void add_trees(mrpt::opengl::COpenGLScene& scene,
+               const std::vector<StandingObject>& trees,
+               double season);
 
 }  // namespace fild

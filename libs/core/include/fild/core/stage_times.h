@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <map>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -56,7 +57,14 @@ class StageTimer
     ~StageTimer()
     {
         const auto elapsed = std::chrono::steady_clock::now() - start_;
-        times_.add(stage_, std::chrono::duration<double, std::milli>(elapsed).count());
+        try
+        {
+            times_.add(stage_, std::chrono::duration<double, std::milli>(elapsed).count());
+        }
+        catch (const std::bad_alloc&)
+        {
+            // One call is not counted; a destructor must not throw.
+        }
     }
 
  private:

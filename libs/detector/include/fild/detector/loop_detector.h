@@ -53,10 +53,9 @@ class LoopDetector
     /** \param global_dimension  length of the global descriptors that will come. */
     LoopDetector(const TDetectorOptions& options, std::size_t global_dimension);
 
-    /** \param times receives "index_insertion", "index_search", "matching", "verification", "evidence"
-     *         and "relative_pose".
-     *  \throw std::invalid_argument when ids do not increase or a descriptor has another length;
-     *         nothing has changed then. */
+    /** \param times receives "index_insertion", "index_search", "matching", "verification",
+     * "evidence" and "relative_pose". \throw std::invalid_argument when ids do not increase or a
+     * descriptor has another length; nothing has changed then. */
     DetectorOutcome process(FrameDescription description, StageTimes& times);
 
     /** What is kept of a frame; null for one that was not processed, or could not be used. Valid

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fild/core/descriptors.h"
-#include "fild/core/stage_times.h"
 #include "fild/core/pair_evidence.h"
+#include "fild/core/stage_times.h"
 #include "fild/detector/detector_options.h"
 #include "fild/detector/same_place_model.h"
 #include "fild/geometry/fundamental_verifier.h"

@@ -19,8 +19,8 @@ struct ComparedPlace
     std::optional<PairOdds> odds;
 };
 
-/** Where the camera is, as far as its frames up to now tell: a hidden Markov model. The camera is on
- *  new ground, at one of the map's places, or at a place that only looks like one of them. From
+/** Where the camera is, as far as its frames up to now tell: a hidden Markov model. The camera is
+ * on new ground, at one of the map's places, or at a place that only looks like one of them. From
  *  frame to frame it moves along the earlier path in either direction, jumps, leaves or returns.
  *  A single frame of doubt is believed inside a certain return, and a row of look-alikes is not
  *  believed because one of its frames convinces.

@@ -16,9 +16,9 @@ struct EvidenceWeights
     EvidenceValues of_share{};  ///< of log(share / (1 - share)), for each kind of evidence
 };
 
-/** Section [same_place]: the probability that a pair of frames shows one place. The coefficients are
- *  fitted by tests/benchmark/fit_same_place.py to labelled runs; their signs are fixed, so that each
- *  kind of evidence speaks in one direction only. */
+/** Section [same_place]: the probability that a pair of frames shows one place. The coefficients
+ * are fitted by tests/benchmark/fit_same_place.py to labelled runs; their signs are fixed, so that
+ * each kind of evidence speaks in one direction only. */
 struct TSamePlaceOptions : Options
 {
     bool enabled = false;  ///< false: min_inliers (tau) alone decides, as in the paper
@@ -31,7 +31,8 @@ struct TSamePlaceOptions : Options
 };
 
 /** Weighs the evidence that two frames show the same place against two other explanations: that the
- *  inliers agree by chance, and that two places look alike. A logistic model for each. Value type.*/
+ *  inliers agree by chance, and that two places look alike. A logistic model for each. Value
+ * type.*/
 class SamePlaceModel
 {
  public:

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace fild
 {
-/** The fields of one line of a CSV file (RFC 4180, no line end within a field), at least one. */
-std::vector<std::string> split_csv_fields(const std::string& line);
+/** Reads one record of a CSV file (RFC 4180): a line, and the lines after it while a quoted field
+ *  is open.
+ *  \param record  receives it, without its last line end.
+ *  \return how many lines it took; 0 at the end of the file. */
+std::size_t read_csv_record(std::istream& file, std::string& record);
+
+/** The fields of one record of a CSV file (RFC 4180), at least one. */
+std::vector<std::string> split_csv_fields(const std::string& record);
 
 }  // namespace fild

@@ -19,6 +19,9 @@ struct FramePose
     cv::Vec3d position;  ///< metres
 };
 
+/** World from robot for each frame; nothing where a frame has no pose. */
+using PosesOfFrames = std::vector<std::optional<FramePose>>;
+
 /** Where something was at a time. */
 struct TimedPose
 {

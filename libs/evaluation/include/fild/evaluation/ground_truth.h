@@ -43,6 +43,10 @@ GroundTruth load_ground_truth(const std::string& path,
                               const std::vector<FrameVerdict>& frames,
                               const Protocol& protocol);
 
+/** True for a file of poses, false for one of labels; only its first lines are read.
+ *  \throw std::runtime_error naming the file: missing, unreadable or of unknown format. */
+bool holds_poses(const std::string& path);
+
 /** Reads a file of TUM or KITTI poses, which of them shows in its content.
  *  \throw std::runtime_error naming the file: as above, or when it holds labels. */
 TruePoses load_true_poses(const std::string& path, const std::vector<FrameVerdict>& frames);

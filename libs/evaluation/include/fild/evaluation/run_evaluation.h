@@ -31,8 +31,21 @@ struct RunResults
     std::vector<std::pair<std::string, std::vector<TimedPose>>> trajectories;
 };
 
-/** Reads trajectory_NAME.tum or trajectory_NAME.kitti of a run; nothing when neither is there.
+/** Poses of a run, frame by frame, out of poses.csv; without that file, out of
+ *  trajectory_NAME.tum, where a pose belongs to the frame of the same time to 2 microseconds, or
+ *  trajectory_NAME.kitti. Nothing when none of them is there.
+ *  \param name  `input` or `optimized`.
  *  \throw std::runtime_error naming the file. */
+std::optional<PosesOfFrames> read_run_poses(const std::string& folder,
+                                            const std::string& name,
+                                            const std::vector<FrameVerdict>& frames);
+
+/** The frames that have a pose, in the order of time. */
+std::vector<TimedPose> timed_poses(const PosesOfFrames& poses,
+                                   const std::vector<FrameVerdict>& frames);
+
+/** The same poses as a trajectory in the order of time; those of trajectory_NAME.tum with its own
+ *  times. \throw std::runtime_error naming the file. */
 std::optional<std::vector<TimedPose>> read_run_trajectory(const std::string& folder,
                                                           const std::string& name,
                                                           const std::vector<FrameVerdict>& frames);

@@ -33,9 +33,9 @@ DominantShape dominant_shape(const std::vector<Match>& matches,
 
 /** Indices of the matches within `tolerance` of `shape`, ascending. */
 std::vector<std::size_t> indices_of_shape(const DominantShape& shape,
-                                    const std::vector<Match>& matches,
-                                    const std::vector<KeypointShape>& query,
-                                    const std::vector<KeypointShape>& candidate,
-                                    const ShapeTolerance& tolerance);
+                                          const std::vector<Match>& matches,
+                                          const std::vector<KeypointShape>& query,
+                                          const std::vector<KeypointShape>& candidate,
+                                          const ShapeTolerance& tolerance);
 
 }  // namespace fild

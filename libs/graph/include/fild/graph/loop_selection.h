@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/cancellation.h"
 #include "fild/graph/graph_options.h"
 #include "fild/graph/pose_graph.h"
 
@@ -44,8 +45,12 @@ struct GraphSolution
  *  optimize_robustly() with these. A loop that was left out as against others and yet agrees with
  *  the poses found (its covariance was a little too small, say) is taken back, once, and the graph
  *  optimised again; not without TGraphOptions::robust_weights, which would catch a wrong one.
- * Deterministic. \throw std::invalid_argument on a bad graph or bad options. */
-GraphSolution solve_graph(const PoseGraph& graph, const TGraphOptions& options);
+ *  Deterministic.
+ *  \param check_cancelled  called as find_consistent_loops() and optimize_robustly() do.
+ *  \throw std::invalid_argument on a bad graph or bad options. */
+GraphSolution solve_graph(const PoseGraph& graph,
+                          const TGraphOptions& options,
+                          const CheckCancelled& check_cancelled = never_cancelled);
 
 /** The graph as solved: nodes at their optimised poses, loops of weight 0 left out, the information
  *  of the others times their weight. What poses.graph and poses.g2o are written from.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/cancellation.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -21,8 +23,10 @@ struct Clique
  *  bit-parallel algorithm for the maximum clique problem", 2011), begun with a greedy clique. Cost
  *  is exponential at worst, so it ends after `max_steps` branches with the best clique so far.
  *  \param adjacency  symmetric, square; its diagonal is not looked at.
+ *  \param check_cancelled  called before each branch.
  *  \throw std::invalid_argument when it is not square or not symmetric. Deterministic. */
 Clique largest_clique(const std::vector<std::vector<bool>>& adjacency,
+                      const CheckCancelled& check_cancelled = never_cancelled,
                       std::size_t max_steps = 20000);
 
 }  // namespace fild

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/cancellation.h"
 #include "fild/graph/pose_graph.h"
 
 #include <cstddef>
@@ -40,8 +41,11 @@ double cycle_error(const PoseGraph& graph, std::size_t loop_i, std::size_t loop_
  *  false loop agrees with itself. Loops between the same two segments of the odometry (parts
  * without an edge between them) are held against each other; those between other segments are sets
  * of their own, as nothing is known of the way between. Costs the square of the number of loops,
- * and that of largest_clique(). Deterministic. \throw std::invalid_argument on a bad graph, or
- * limits outside (0, 1]. */
-LoopAgreement find_consistent_loops(const PoseGraph& graph, const AgreementLimits& limits);
+ *  and that of largest_clique(). Deterministic.
+ *  \param check_cancelled  called for each loop, and as largest_clique() does.
+ *  \throw std::invalid_argument on a bad graph, or limits outside (0, 1]. */
+LoopAgreement find_consistent_loops(const PoseGraph& graph,
+                                    const AgreementLimits& limits,
+                                    const CheckCancelled& check_cancelled = never_cancelled);
 
 }  // namespace fild

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/cancellation.h"
 #include "fild/graph/pose_graph.h"
 
 #include <vector>
@@ -32,11 +33,14 @@ double squared_error(const GraphEdge& edge,
 /** Least squares over all edges, each with its information matrix, loops also with their weight; a
  *  loop of weight 0 takes no part. The first node of each part that edges connect, whatever the
  *  loops' weights become, stays where it is. Levenberg-Marquardt (Ceres), one thread:
- * deterministic. \throw std::invalid_argument on a bad graph or weights that are not one a loop, in
- * [0, 1]. \throw std::runtime_error when Ceres finds no solution. */
+ *  deterministic.
+ *  \param check_cancelled  called after each iteration.
+ *  \throw std::invalid_argument on a bad graph or weights that are not one a loop, in [0, 1].
+ *  \throw std::runtime_error when Ceres finds no solution. */
 OptimizedPoses optimize(const PoseGraph& graph,
                         const std::vector<double>& loop_weights,
-                        const OptimizationLimits& limits);
+                        const OptimizationLimits& limits,
+                        const CheckCancelled& check_cancelled = never_cancelled);
 
 /** The same, with weights that are found on the way: graduated non-convexity over the loops, with
  *  truncated least squares. Yang et al., "Graduated non-convexity for robust spatial perception",
@@ -44,6 +48,7 @@ OptimizedPoses optimize(const PoseGraph& graph,
  *  \param candidates  for each loop whether it may count; others have weight 0 throughout. */
 OptimizedPoses optimize_robustly(const PoseGraph& graph,
                                  const std::vector<bool>& candidates,
-                                 const OptimizationLimits& limits);
+                                 const OptimizationLimits& limits,
+                                 const CheckCancelled& check_cancelled = never_cancelled);
 
 }  // namespace fild

@@ -88,7 +88,7 @@ class MapBuilder
                          const LoopDetector& detector,
                          StageTimes& times,
                          const GoOn& go_on) const;
-    void solve(Map& map) const;
+    void solve(Map& map, const GoOn& go_on) const;
 
     TDetectorOptions detector_options_;
     TGraphOptions graph_options_;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/whole_file.h"
+
 #include <filesystem>
+#include <optional>
 
 namespace fild
 {
@@ -20,7 +23,7 @@ class WholeFolder
     /** Where the folder is now. */
     const std::filesystem::path& location() const { return location_; }
 
-    /** Gives the folder its name. \throw std::runtime_error. */
+    /** Syncs the folder and its files to disk and gives it its name. \throw std::runtime_error. */
     void commit();
     /** The folder is to stay when this object goes. */
     void keep() { keep_ = true; }
@@ -28,6 +31,7 @@ class WholeFolder
  private:
     std::filesystem::path path_;
     std::filesystem::path location_;
+    std::optional<WriteLock> lock_;
     bool keep_ = false;
 };
 

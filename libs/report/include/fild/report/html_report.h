@@ -21,10 +21,10 @@ struct ReportTruth
 };
 
 /** Makes report.html in the folder of a run out of the files that are there: frames.csv and
- *  summary.json at least; loops.csv, costs.csv, trajectory_input.tum, trajectory_optimized.tum,
- *  map_top.png, map_perspective.png, similarity.png and matches/ if they are. One file, which needs
- *  neither network nor other files; panels without content say why. The same folder gives the same
- *  report.
+ *  summary.json at least; loops.csv, costs.csv, poses.csv (else trajectory_input.tum and
+ *  trajectory_optimized.tum), map_top.png, map_perspective.png, similarity.png and matches/ if they
+ *  are. One file, which needs neither network nor other files; panels without content say why. The
+ *  same folder gives the same report.
  *  \param truth  its poses are those of all frames, or none.
  *  \throw std::runtime_error naming the file that is missing, unreadable or not of a run. */
 void write_html_report(const std::string& folder,

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -83,6 +84,10 @@ struct RunSummary
 /** Writes the summary; the file appears when it is whole. \throw std::runtime_error as WholeFile.
  */
 void write_summary(const RunSummary& summary, const std::string& path);
+
+/** [index] delay_seconds of the run whose summary.json this is; nothing when there is no such file,
+ *  or it does not tell. */
+std::optional<double> read_run_delay(const std::string& path);
 
 /** SHA-256 of a file's bytes in hexadecimal. \throw std::runtime_error when it cannot be read. */
 std::string sha256_of_file(const std::string& path);

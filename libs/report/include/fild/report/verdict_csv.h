@@ -83,8 +83,8 @@ class LoopCsv
  *  when it is whole:
  *
  *  `frame,rank,candidate,similarity,checked,matches,inliers,rejection,support`, then one column for
- *  each kind of Evidence, `against_chance` and `against_look_alike` (PairOdds); empty where [same_place]
- *  is off or the pair has too few inliers.
+ *  each kind of Evidence, `against_chance` and `against_look_alike` (PairOdds); empty where
+ * [same_place] is off or the pair has too few inliers.
  *
  *  rank is the place among the answers of the index from 1, empty for a frame that was verified but
  *  was none of them; checked 0 or 1; what comes after it is empty when it is 0, and rejection when
