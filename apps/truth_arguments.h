@@ -16,7 +16,7 @@ struct TruthArguments
         : protocol("p",
                    "protocol",
                    "When a loop closure is right. Labels: exact (default) or window:FRAMES. Poses: "
-                   "radius:METRES (radius:5)",
+                   "radius:METRES[,DOUBTFUL] (radius:5)",
                    false,
                    "",
                    "PROTOCOL",

@@ -70,6 +70,8 @@ def logistic(groups, signs, ridge):
         previous, b = b, ahead - gradient / curvature
         b[1:] = np.maximum(b[1:], 0)
         momentum = step
+        if np.abs(b - previous).max() < 1e-7:
+            break
     coefficients = np.zeros(len(signs))
     coefficients[used] = b[1:] / deviation * signs[used]
     return coefficients, b[0] - coefficients[used] @ mean

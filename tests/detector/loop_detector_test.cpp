@@ -53,6 +53,8 @@ FrameDescription view_of(std::uint64_t place, double shift)
         view.metric.depths.deviations_m.push_back(static_cast<float>(0.005 * z));
         for (int w = 0; w < 4; ++w) codes.words.push_back(generator());
     }
+    view.local.shapes.resize(kPoints, {64, 0});
+    view.local.image_size = {640, 480};
     return view;
 }
 
@@ -61,6 +63,18 @@ fild::TDetectorOptions options_with_delay(double seconds)
     fild::TDetectorOptions options;
     options.index.delay_seconds = seconds;
     options.consistency.consecutive_frames = 1;
+    return options;
+}
+
+/** Weighs evidence, so that the views of one place convince, and carries a belief. */
+fild::TDetectorOptions options_with_belief(double delay_seconds)
+{
+    auto options = options_with_delay(delay_seconds);
+    options.verification.one_shape = true;
+    options.same_place.enabled = true;
+    options.same_place.chance.inliers = 2;
+    options.same_place.look_alike.bias = 5;
+    options.consistency.belief = true;
     return options;
 }
 
@@ -295,12 +309,13 @@ TEST(LoopDetector, LooksBeyondAWorseNeighbourAsFarAsAsked)
 }
 
 /** The second query's descriptor leads nowhere; the place of the first does. */
-TEST(LoopDetector, RemembersThePlaceOfTheLastVerifiedFrame)
+TEST(LoopDetector, FollowsTheBeliefFromFrameToFrame)
 {
-    const auto second_query = [](int memory)
+    const auto second_query = [](bool follow_belief)
     {
-        auto options = options_with_delay(5);
-        options.candidates.place_memory = memory;
+        auto options = options_with_belief(5);
+        options.index.candidates = 1;
+        options.candidates.follow_belief = follow_belief;
         fild::LoopDetector detector(options, kDimension);
         fild::StageTimes times;
         const std::vector<std::uint64_t> places{10, 20, 30, 10, 10};
@@ -316,10 +331,37 @@ TEST(LoopDetector, RemembersThePlaceOfTheLastVerifiedFrame)
         }
         return last.verdict;
     };
-    EXPECT_FALSE(second_query(0).accepted());
-    const auto remembered = second_query(1);
-    EXPECT_TRUE(remembered.accepted());
-    EXPECT_EQ(remembered.candidate->frame, FrameId{0});
+    EXPECT_FALSE(second_query(false).accepted());
+    const auto followed = second_query(true);
+    EXPECT_TRUE(followed.accepted());
+    EXPECT_EQ(followed.candidate->frame, FrameId{0});
+}
+
+TEST(LoopDetector, SaysWhichExplanationTheEvidenceLeavesOpen)
+{
+    auto options = options_with_belief(2);
+    const auto last = [&] { return drive(options, {10, 11, 12, 10}).back(); };
+    const auto good = last();
+    EXPECT_TRUE(good.verdict.accepted());
+    EXPECT_GT(good.verdict.support, options.same_place.min_probability);
+    ASSERT_TRUE(good.considered.front().odds);
+    EXPECT_GT(good.considered.front().evidence[to_index(fild::Evidence::inlier_share)], 0.9);
+    options.same_place.look_alike.bias = -5;
+    EXPECT_EQ(last().verdict.rejection, Rejection::may_be_look_alike);
+    options.same_place.look_alike.bias = 5;
+    options.same_place.chance.bias = -30;
+    EXPECT_EQ(last().verdict.rejection, Rejection::may_be_chance);
+    EXPECT_LT(last().verdict.support, 0.1);
+}
+
+TEST(LoopDetector, RefusesABeliefWithoutEvidence)
+{
+    auto options = options_with_belief(2);
+    options.same_place.enabled = false;
+    EXPECT_THROW(fild::LoopDetector(options, kDimension), std::invalid_argument);
+    options.consistency.belief = false;
+    options.candidates.follow_belief = true;
+    EXPECT_THROW(fild::LoopDetector(options, kDimension), std::invalid_argument);
 }
 
 TEST(LoopDetector, VerifiesOneFrameOfAPlaceAndStopsAtTheFirstThatIsGood)

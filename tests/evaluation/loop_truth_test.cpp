@@ -96,4 +96,19 @@ TEST(PoseTruth, AsksForRadiusAngleAndAge)
     EXPECT_TRUE(truth.is_loop_query(FrameId{8}));
 }
 
+TEST(PoseTruth, DoubtsPairsFromFurtherOff)
+{
+    auto protocol = fild::parse_protocol("radius:2,5");
+    protocol.min_age_seconds = 0;
+    const fild::PoseTruth truth(
+        {at(0, 0, 0), at(1, 4, 0), at(2, 6, 0), at(3, 1, 80), at(4, 1, 100), at(9, 0, 0)},
+        protocol);
+    const FrameId query{5};
+    EXPECT_EQ(truth.judge(query, FrameId{0}), Judgement::right);
+    EXPECT_EQ(truth.judge(query, FrameId{1}), Judgement::neither);
+    EXPECT_EQ(truth.judge(query, FrameId{2}), Judgement::wrong);
+    EXPECT_EQ(truth.judge(query, FrameId{3}), Judgement::neither);  // 80 degrees
+    EXPECT_EQ(truth.judge(query, FrameId{4}), Judgement::wrong);  // 100 degrees
+}
+
 }  // namespace

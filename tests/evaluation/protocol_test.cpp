@@ -14,7 +14,8 @@ TEST(Protocol, ReadsItsWords)
     EXPECT_EQ(fild::parse_protocol("window:10").window, 10U);
     EXPECT_EQ(fild::parse_protocol("radius:2.5").kind, fild::Protocol::Kind::radius);
     EXPECT_DOUBLE_EQ(fild::parse_protocol("radius:2.5").radius, 2.5);
-    for (const std::string word : {"exact", "window:10", "radius:2.5"})
+    EXPECT_DOUBLE_EQ(fild::parse_protocol("radius:2.5,4").doubtful_radius, 4);
+    for (const std::string word : {"exact", "window:10", "radius:2.5", "radius:2.5,4"})
         EXPECT_EQ(fild::to_word(fild::parse_protocol(word)), word);
 }
 
@@ -30,6 +31,9 @@ TEST(Protocol, RefusesOtherWords)
                                    "radius:0",
                                    "radius:-1",
                                    "radius:x",
+                                   "radius:2,",
+                                   "radius:2,1",
+                                   "radius:2,3,4",
                                    "exact:1",
                                    "Window:10"})
         EXPECT_THAT(

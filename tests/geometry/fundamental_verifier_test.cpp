@@ -129,8 +129,8 @@ TEST_P(EachMethod, TakesTwoCopiesOfOneImage)
 TEST_P(EachMethod, SurvivesDegeneratePixels)
 {
     const std::size_t count = 40;
-    const Pixels all_equal{
-        std::vector<PixelPosition>(count, {5, 5}), std::vector<PixelPosition>(count, {7, 7}), 0};
+    const Pixels all_equal{std::vector<PixelPosition>(count, {5, 5}),
+                           std::vector<PixelPosition>(count, {7, 7})};
     EXPECT_NO_THROW(verify(options_of(GetParam()), all_equal));
     Pixels on_a_line;
     for (std::size_t i = 0; i < count; ++i)
@@ -141,8 +141,7 @@ TEST_P(EachMethod, SurvivesDegeneratePixels)
     EXPECT_NO_THROW(verify(options_of(GetParam()), on_a_line));
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const Pixels not_numbers{std::vector<PixelPosition>(count, {nan, nan}),
-                             std::vector<PixelPosition>(count, {nan, nan}),
-                             0};
+                             std::vector<PixelPosition>(count, {nan, nan})};
     EXPECT_NE(verify(options_of(GetParam()), not_numbers).rejection, Rejection::none);
 }
 
@@ -153,40 +152,13 @@ INSTANTIATE_TEST_SUITE_P(FundamentalVerifier,
                                            RansacMethod::graph_cut,
                                            RansacMethod::magsac));
 
-TEST(FundamentalVerifier, CountsInliersWhenNothingElseIsAsked)
-{
-    const auto result = verify({}, two_views(60, 60, 7));
-    EXPECT_EQ(result.rejection, Rejection::none);
-    EXPECT_DOUBLE_EQ(result.support, static_cast<double>(result.inliers.size()) / 20);
-}
-
-/** Of m matches, i inliers weigh (i - 7) * ((i - 7) / (m - 7))^2. */
-TEST(FundamentalVerifier, WeighsInliersByTheirShareOfTheMatches)
+TEST(FundamentalVerifier, AsksForMinInliers)
 {
     const auto pixels = two_views(60, 60, 7);
     fild::TVerificationOptions options;
-    options.min_weighed_inliers = 10;
     const auto lenient = verify(options, pixels);
-    const auto beyond = static_cast<double>(lenient.inliers.size()) - 7;
-    const double weighed = beyond * (beyond / 113) * (beyond / 113);
-    EXPECT_NEAR(lenient.support, weighed / 10, 1e-9);
     EXPECT_EQ(lenient.rejection, Rejection::none);
-    options.min_weighed_inliers = 30;
-    EXPECT_EQ(verify(options, pixels).rejection, Rejection::too_few_inliers);
-}
-
-TEST(FundamentalVerifier, AsksForMoreWhereThereAreManyKeypoints)
-{
-    auto pixels = two_views(120, 0, 9);
-    fild::TVerificationOptions options;
-    options.min_weighed_inlier_share = 0.1;
-    options.sparse_keypoints = 200;
-    pixels.keypoints = 200;  // nothing is asked of a sparse image
-    EXPECT_DOUBLE_EQ(verify(options, pixels).support,
-                     static_cast<double>(verify(options, pixels).inliers.size()) / 20);
-    pixels.keypoints = 1200;
-    EXPECT_EQ(verify(options, pixels).rejection, Rejection::none);
-    pixels.keypoints = 1600;
+    options.min_inliers = static_cast<int>(lenient.inliers.size()) + 1;
     EXPECT_EQ(verify(options, pixels).rejection, Rejection::too_few_inliers);
 }
 

@@ -310,7 +310,7 @@ TEST(RelativePose, RefusesWhatDoesNotFitTogether)
 
 /** The residual's derivative by central differences of its value. */
 cv::Matx<double, 3, 6> numeric_jacobian(const fild::MeasuredMatch& match,
-                                        const fild::CameraPair& cameras,
+                                        const fild::PinholePair& cameras,
                                         const RigidTransform& pose)
 {
     constexpr double kStep = 1e-6;
@@ -344,7 +344,7 @@ class EachResidual : public ::testing::TestWithParam<std::pair<bool, bool>>
         if (GetParam().second) match.candidate = {{350, 210}, 1 / 6.1, 0.002};
         return match;
     }
-    const fild::CameraPair cameras_{pinhole_camera(), pinhole_camera()};
+    const fild::PinholePair cameras_{pinhole_camera(), pinhole_camera()};
     const RigidTransform pose_{fild::rotation_from_vector({0.1, -0.2, 0.05}), {0.4, -0.2, 0.9}};
 };
 

@@ -30,8 +30,7 @@ constexpr const char* kFildConfig =
     "\nlayers = map\ninput_width = 4\ninput_height = 4\npooling = grid\n"
     "[index]\ndelay_seconds = 20\ncandidates = 60\nsearch_width = 64\n"
     "[hashing]\nratio = 0.87\nmutual_check = true\n"
-    "[verification]\nmethod = magsac\nmin_inliers = 12\nmin_weighed_inliers = 6\n"
-    "min_weighed_inlier_share = 0.06\n"
+    "[verification]\nmethod = magsac\nmin_inliers = 40\none_shape = true\n"
     "[consistency]\nconsecutive_frames = 1\n";
 
 constexpr const char* kEngine =

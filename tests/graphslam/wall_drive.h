@@ -21,7 +21,7 @@ constexpr const char* kWallConfig =
     "\nlayers = map\ninput_width = 4\ninput_height = 4\npooling = grid\n"
     "[index]\ndelay_seconds = 5\ncandidates = 16\n"
     "[hashing]\nratio = 0.87\nmutual_check = true\n"
-    "[verification]\nmethod = magsac\nmin_weighed_inliers = 10\n"
+    "[verification]\nmethod = magsac\n"
     "[consistency]\nconsecutive_frames = 1\n";
 
 constexpr std::size_t kWallFramesPerLap = 8;

@@ -89,14 +89,15 @@ TEST(ConfigIni, PaperHasThePapersParameters)
     EXPECT_EQ(options.hashing.ratio, 0.7);
     EXPECT_FALSE(options.hashing.mutual_check);
     EXPECT_EQ(options.verification.min_inliers, 20);
-    EXPECT_EQ(options.verification.min_weighed_inliers, 0);
-    EXPECT_EQ(options.verification.min_weighed_inlier_share, 0);
+    EXPECT_FALSE(options.verification.one_shape);
+    EXPECT_FALSE(options.same_place.enabled);
+    EXPECT_FALSE(options.consistency.belief);
     EXPECT_EQ(options.consistency.consecutive_frames, 2);
     EXPECT_EQ(options.index.candidates, 1);
     EXPECT_EQ(options.index.whiten_from, 0);
     EXPECT_EQ(options.local_features.min_keypoints, 0);
     EXPECT_EQ(options.candidates.neighbour_reach, 0);
-    EXPECT_EQ(options.candidates.place_memory, 0);
+    EXPECT_FALSE(options.candidates.follow_belief);
     EXPECT_EQ(options.global_descriptor.pooling, fild::Pooling::average);
 }
 

@@ -95,7 +95,7 @@ class Sweep : public ::testing::Test
 TEST_F(Sweep, HasARowForEachCombinationAndARunForEachSeed)
 {
     const auto finished = sweep(
-        "--sweep hashing.bits=64,256 --sweep verification.min_weighed_inliers=10,100000 --seeds "
+        "--sweep hashing.bits=64,256 --sweep verification.min_inliers=20,100000 --seeds "
         "1-2,5 --output out");
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
     const auto rows = rows_of(output("sweep.csv"));
@@ -103,7 +103,7 @@ TEST_F(Sweep, HasARowForEachCombinationAndARunForEachSeed)
     EXPECT_EQ(rows[0].at("hashing.bits"), "64");
     EXPECT_EQ(rows[1].at("hashing.bits"), "64");
     EXPECT_EQ(rows[2].at("hashing.bits"), "256");
-    EXPECT_EQ(rows[2].at("verification.min_weighed_inliers"), "10");
+    EXPECT_EQ(rows[2].at("verification.min_inliers"), "20");
     EXPECT_EQ(rows[2].at("runs"), "3");
     EXPECT_EQ(rows[2].at("recall"), "1.000000");
     EXPECT_EQ(rows[2].at("precision_min"), "1.000000");
@@ -113,15 +113,14 @@ TEST_F(Sweep, HasARowForEachCombinationAndARunForEachSeed)
     ASSERT_THAT(runs, SizeIs(12));
     EXPECT_EQ(runs[2].at("seed"), "5");
     EXPECT_EQ(output("sweep_wrong_loops.csv"),
-              "hashing.bits,verification.min_weighed_inliers,seed,frame,candidate,similarity,"
+              "hashing.bits,verification.min_inliers,seed,frame,candidate,similarity,"
               "matches,inliers,loop_query\n");
     EXPECT_THAT(output("sweep.tex"),
                 AllOf(HasSubstr("\\texttt{hashing.bits}"),
-                      HasSubstr("min\\_weighed\\_inliers"),
+                      HasSubstr("min\\_inliers"),
                       HasSubstr("1.000 [1.000, 1.000]")));
-    EXPECT_THAT(
-        output("sweep.svg"),
-        AllOf(HasSubstr(">hashing.bits<"), HasSubstr("verification.min_weighed_inliers = 100000")));
+    EXPECT_THAT(output("sweep.svg"),
+                AllOf(HasSubstr(">hashing.bits<"), HasSubstr("verification.min_inliers = 100000")));
     EXPECT_THAT(finished.out,
                 AllOf(HasSubstr("hashing.bits"), HasSubstr("mean [min, max] over 3 seeds")));
 }
@@ -129,7 +128,7 @@ TEST_F(Sweep, HasARowForEachCombinationAndARunForEachSeed)
 TEST_F(Sweep, MakesEachChangeAloneBesideNone)
 {
     const auto finished = sweep(
-        "--change 'verification.min_weighed_inliers=100000' --change 'hashing.bits=64 "
+        "--change 'verification.min_inliers=100000' --change 'hashing.bits=64 "
         "local_features.hessian_threshold=2000' --output out");
     ASSERT_EQ(finished.exit_code, 0) << finished.err;
     const auto rows = rows_of(output("sweep.csv"));

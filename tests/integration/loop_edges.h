@@ -155,7 +155,6 @@ inline std::vector<Match> verified_matches(const HashedFeatures& query,
         matched.query.push_back(query.positions[match.query]);
         matched.candidate.push_back(candidate.positions[match.candidate]);
     }
-    matched.keypoints = std::min(query.positions.size(), candidate.positions.size());
     const auto verified = FundamentalVerifier(verification, 1).verify(matched);
     std::vector<Match> kept;
     if (verified.rejection != Rejection::none) return kept;

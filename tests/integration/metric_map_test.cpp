@@ -41,7 +41,7 @@ constexpr const char* kConfig =
     "\nlayers = map\ninput_width = 4\ninput_height = 4\npooling = grid\n"
     "[index]\ndelay_seconds = 5\ncandidates = 16\n"
     "[hashing]\nratio = 0.87\nmutual_check = true\n"
-    "[verification]\nmethod = magsac\nmin_weighed_inliers = 10\n"
+    "[verification]\nmethod = magsac\n"
     "[consistency]\nconsecutive_frames = 1\n"
     "[render]\nenabled = false\n[report]\nwrite_html = false\n";
 

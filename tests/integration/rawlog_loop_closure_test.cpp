@@ -237,7 +237,9 @@ TEST_F(RawlogLoopClosure, ReportsTheRun)
 TEST_F(RawlogLoopClosure, DrawsTheStrongestRejectedPairs)
 {
     write_rawlog(two_laps());
-    const std::string all_rejected = "--set verification.min_weighed_inliers=1000 ";
+    const std::string all_rejected =
+        "--set same_place.enabled=true --set same_place.chance_bias=-8 --set "
+        "same_place.chance_inliers=1 ";
     ASSERT_EQ(run(all_rejected + "--set report.max_rejected_pictures=3").exit_code, 0);
     EXPECT_EQ(summary()["frames"]["loop_closures"], 0);
     std::multimap<double, std::string> by_support;

@@ -17,7 +17,6 @@ constexpr const char* kTwoLapsConfig =
     "\nlayers = map\ninput_width = 4\ninput_height = 4\npooling = grid\n"
     "[index]\ndelay_seconds = 5\ncandidates = 16\n"
     "[hashing]\nmutual_check = true\n"
-    "[verification]\nmin_weighed_inliers = 10\n"
     "[consistency]\nconsecutive_frames = 1\n";
 
 /** A camera along a wall, twice, a frame each second. */

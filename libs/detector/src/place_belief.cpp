@@ -12,6 +12,7 @@ namespace fild
 namespace
 {
 constexpr double kLeastEvidence = -1.5;  // log-likelihood ratio of places that were not compared
+constexpr double kWorthALook = 0.2;  // probability to be at a place of the map
 constexpr int kReach = 3;  // places about a compared one that its evidence counts for ...
 constexpr double kLossPerPlace = 0.3;  // ... less with the distance
 
@@ -120,7 +121,7 @@ double PlaceBelief::sum_of_same() const
 
 std::optional<FrameId> PlaceBelief::likeliest() const
 {
-    if (sum_of_same() <= 0.5) return std::nullopt;
+    if (sum_of_same() <= kWorthALook) return std::nullopt;
     const auto likeliest = std::max_element(at_.same.begin(), at_.same.end());
     return frames_[static_cast<std::size_t>(likeliest - at_.same.begin())];
 }

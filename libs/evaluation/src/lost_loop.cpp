@@ -101,11 +101,11 @@ std::string meaning_of(LossStage stage)
         case LossStage::matching:
             return "the true ones had too few matches";
         case LossStage::geometry:
-            return "the true ones had no model or too few inliers";
+            return "the true ones had no model, too few inliers or too little evidence";
         case LossStage::choice:
             return "a true one was verified, another reported";
         case LossStage::consistency:
-            return "a true one was verified, but not in a row";
+            return "a true one was verified, but the frames before did not confirm it";
     }
     return "";
 }

@@ -127,7 +127,7 @@ void add_worst_wrong(MetricList& list, const std::optional<WorstWrongPair>& wors
                   "worst wrong",
                   Kind::measure,
                   worst ? std::optional(worst->support) : std::nullopt,
-                  "support of the wrong candidate that has most; accepted from 1 on");
+                  "greatest support of a wrong candidate, accepted or not");
     list.optional("worst_wrong_inliers",
                   "  inliers",
                   Kind::count,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/geometry/pair_evidence.h"
 
+#include "fild/core/spread.h"
 #include "fild/geometry/shape_agreement.h"
 #include "keypoint_grid.h"
 
@@ -21,6 +22,7 @@ constexpr double kSearchRadius = 0.025;  // about the predicted position
 constexpr double kBorder = 0.03;  // of the image's sides, where keypoints are missed
 constexpr double kMaxScale = 5;
 constexpr double kSearchOctaves = 0.7;
+constexpr std::size_t kMapPairs = 200;  // inliers that a LocalMap keeps, evenly chosen
 constexpr double kSmallestSizePx = 10;  // a keypoint that would be smaller is not expected
 constexpr double kCloseBits = 0.1;  // share of a code's bits
 constexpr double kSimilarBits = 0.235;
@@ -94,6 +96,13 @@ class LocalMap
     cv::Matx22d linear_;
 };
 
+std::vector<PixelPosition> chosen(const std::vector<PixelPosition>& positions)
+{
+    std::vector<PixelPosition> kept;
+    for (const auto k : spread_indices(kMapPairs, positions.size())) kept.push_back(positions[k]);
+    return kept;
+}
+
 /** The inliers as one affine map sees them. */
 struct AffineFit
 {
@@ -127,7 +136,7 @@ AffineFit fit_affine(const MatchedPair& pair)
     if (affine.empty()) return {};
     AffineFit fit{static_cast<std::size_t>(cv::countNonZero(agrees)), std::nullopt};
     const cv::Matx23d m(affine);
-    LocalMap map(std::move(from), std::move(to), {m(0, 0), m(0, 1), m(1, 0), m(1, 1)});
+    LocalMap map(chosen(from), chosen(to), {m(0, 0), m(0, 1), m(1, 0), m(1, 1)});
     if (map.scale() > 1 / kMaxScale && map.scale() < kMaxScale) fit.map = std::move(map);
     return fit;
 }

@@ -76,7 +76,7 @@ const explanation = (title, facts) => element('details', {}, element('summary', 
 // ---- Charts -----------------------------------------------------------------------------------
 
 // Okabe and Ito: the colour-blind can tell them apart. Viridis for amounts. On maps, the colours of map_top.png.
-const palette = ['#0072b2', '#e69f00', '#009e73', '#d55e00', '#cc79a7', '#56b4e9', '#b8a800', '#7f7f7f', '#8a6bc8', '#a8705e'];
+const palette = ['#0072b2', '#e69f00', '#009e73', '#d55e00', '#cc79a7', '#56b4e9', '#b8a800', '#7f7f7f', '#8a6bc8', '#a8705e', '#8fce5a'];
 const viridis = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'];
 const mapColours = {truth: '#f0b050', input: '#56b4e9', start: '#0072b2', end: '#d55e00'};
 const drawings = [];
@@ -205,7 +205,7 @@ matchMedia('(prefers-color-scheme: dark)')
 
 /** Stages that are parts of a frame, in the order of the pipeline. */
 const frameStages = ['image_decoding', 'global_descriptor', 'local_features', 'hashing', 'depth', 'index_insertion',
-                     'index_search', 'matching', 'verification', 'relative_pose'];
+                     'index_search', 'matching', 'verification', 'evidence', 'relative_pose'];
 
 const stageColour = stage => palette[frameStages.indexOf(stage)];
 
@@ -245,7 +245,7 @@ function captionOf(run, query) {
   const f = run.frames;
   const verdict = f.rejection[query] ? `, ${words(f.rejection[query])}` : '';
   return `frame ${query} and frame ${f.candidate[query]}: ${number(f.inliers[query])} inliers of `
-    + `${number(f.matches[query])} matches, support ${number(f.support[query], 2)}, similarity `
+    + `${number(f.matches[query])} matches, support ${number(f.support[query], 3)}, similarity `
     + `${number(f.similarity[query], 3)}${verdict}`;
 }
 

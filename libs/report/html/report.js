@@ -6,6 +6,17 @@ const frameCount = frameCountOf(run);
 /** Seconds since the first frame. */
 const secondsOf = frame => run.frames.timestamp[frame] - run.frames.timestamp[0];
 
+/** Text of an option in force; undefined in runs of versions without it. */
+const optionOf = (section, key) => (run.summary.options[section] || {})[key];
+
+/** The least support of a loop closure where support is a probability, else null. */
+const minProbability = optionOf('same_place', 'enabled') === 'true'
+  ? Number(optionOf('same_place', 'min_probability')) : null;
+const supportMeaning = known(minProbability)
+  ? 'the probability that the frame shows the place of its candidate; a loop closure needs at least '
+    + `[same_place] min_probability = ${minProbability}`
+  : 'inliers divided by [verification] min_inliers; verified from 1 up';
+
 // ---- Headline ---------------------------------------------------------------------------------
 
 const card = (value, what) => element('div', {class: 'card'}, element('b', {}, value), element('span', {}, what));
@@ -69,6 +80,7 @@ function fillGalleries() {
   const drawn = accepted.filter(query => pictureOf(run, query));
   const weakest = [...drawn].sort((a, b) => f.support[a] - f.support[b]).slice(0, 2);
   const figures = queries => queries.map(query => () => figureOf(run, query));
+  byId('support-hint').textContent = `Support: ${supportMeaning}.`;
   const noPictures = accepted.length ? 'no pictures were drawn: [render] max_match_pictures or [report] max_pictures is 0'
     : 'no loop closure was found';
   fillGallery(byId('weakest'), figures(weakest), noPictures);
@@ -193,15 +205,17 @@ function acceptedAndRejected(column) {
   return [series('rejected', '#e69f00', 'triangle', false), series('accepted', colour('accent'), 'circle', true)];
 }
 
+/** Of `threshold`: value, name and, for a column that has one, the greatest possible value, `most`. */
 function drawOverFrames(id, column, title, threshold, digits) {
   if (!run.frames[column].some((value, frame) => known(value) && known(run.frames.candidate[frame])))
     return say(byId(id), `${title}: no frame had a candidate`);
   const line = () => ({
     silent: true, symbol: 'none', data: [{yAxis: threshold.value}],
     lineStyle: {color: '#d55e00', type: 'dashed'},
-    label: {formatter: threshold.name, position: 'insideStartTop', color: colour('ink'), textBorderColor: colour('page'),
-            textBorderWidth: 3},
+    label: {formatter: threshold.name, position: known(threshold.most) ? 'insideStartBottom' : 'insideStartTop',
+            color: colour('ink'), textBorderColor: colour('page'), textBorderWidth: 3},
   });
+  const room = extent => extent.max > threshold.value * 1.1 ? null : threshold.value * 1.1;
   const chart = draw(id, () => {
     const series = acceptedAndRejected(column);
     if (threshold) series[0].markLine = line();
@@ -210,7 +224,7 @@ function drawOverFrames(id, column, title, threshold, digits) {
       tooltip: {formatter: item => known(item.data.frame) ? captionOf(run, item.data.frame) : ''},
       xAxis: frameAxis(frameCount),
       yAxis: {type: 'value', name: title, axisLabel: {formatter: atMost(digits)},
-              max: threshold ? extent => extent.max > threshold.value * 1.1 ? null : threshold.value * 1.1 : null},
+              max: threshold ? threshold.most ?? room : null},
       series,
     };
   });
@@ -218,11 +232,12 @@ function drawOverFrames(id, column, title, threshold, digits) {
 }
 
 function drawVerdictCharts() {
-  const option = (section, key) => Number((run.summary.options[section] || {})[key]);
-  const inliers = option('verification', 'min_inliers');
+  const inliers = Number(optionOf('verification', 'min_inliers'));
   drawOverFrames('inliers-chart', 'inliers', 'inliers', inliers > 0 && {value: inliers, name: `min_inliers = ${inliers}`}, 0);
-  drawOverFrames('support-chart', 'support', 'support', {value: 1, name: 'accepted from 1 on'}, 1);
-  const similarity = option('index', 'min_similarity');
+  drawOverFrames('support-chart', 'support', 'support',
+                 known(minProbability) ? {value: minProbability, name: `min_probability = ${minProbability}`, most: 1}
+                   : {value: 1, name: 'verified from 1 up'}, 1);
+  const similarity = Number(optionOf('index', 'min_similarity'));
   drawOverFrames('similarity-chart', 'similarity', 'similarity',
                  similarity > -1 && {value: similarity, name: `min_similarity = ${similarity}`}, 1);
   drawReasons();
@@ -260,8 +275,12 @@ const verdictMeanings = {
   below_similarity: 'no earlier frame is similar enough: [index] min_similarity',
   too_few_matches: 'fewer keypoints match than inliers are asked for',
   no_model: 'no motion of the camera explains the matches',
-  too_few_inliers: 'too few matches agree with one motion of the camera, or they weigh too little: [verification]',
-  not_consistent_yet: 'it was verified, but not so many frames in a row as [consistency] consecutive_frames asks for',
+  too_few_inliers: 'too few matches agree with one motion of the camera: [verification] min_inliers',
+  may_be_chance: 'the inliers may agree by chance: the probability is below [same_place] min_probability',
+  may_be_look_alike: 'the two frames may show two places that look alike: the probability is below [same_place] '
+    + 'min_probability',
+  not_consistent_yet: 'the pair alone convinces, but the frames before it do not confirm it: [consistency] belief or '
+    + 'consecutive_frames',
 };
 
 const ofCandidate = (column, digits) => frame => known(run.frames.candidate[frame]) ? number(run.frames[column][frame], digits) : '';
@@ -274,16 +293,16 @@ const columns = [
   ['similarity', ofCandidate('similarity', 3)],
   ['matches', ofCandidate('matches', 0)],
   ['inliers', ofCandidate('inliers', 0)],
-  ['support', ofCandidate('support', 2)],
+  ['support', ofCandidate('support', 3)],
   ['keypoints', frame => number(run.frames.keypoints[frame])],
   ['camera', frame => run.frames.sensors[run.frames.sensor[frame]], 'text'],
 ];
 const columnMeanings = [
-  ['candidate', 'the earlier frame that came furthest; a button shows the picture of the pair'],
+  ['candidate', 'the earlier frame with the best evidence; a button shows the picture of the pair'],
   ['similarity', 'of both images as a whole: cosine of their global descriptors, -1 to 1'],
   ['matches', 'keypoints of one image that were found in the other'],
   ['inliers', 'matches that agree with one motion of the camera'],
-  ['support', 'what speaks for the pair, as a multiple of what [verification] asks for'],
+  ['support', supportMeaning],
   ['keypoints', 'distinctive points found in the image'],
 ];
 const rowsPerPage = 25;

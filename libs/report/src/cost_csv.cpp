@@ -10,7 +10,7 @@ namespace fild
 {
 namespace
 {
-constexpr std::array<const char*, 11> kStages = {"image_decoding",
+constexpr std::array<const char*, 12> kStages = {"image_decoding",
                                                  "global_descriptor",
                                                  "local_features",
                                                  "hashing",
@@ -19,6 +19,7 @@ constexpr std::array<const char*, 11> kStages = {"image_decoding",
                                                  "index_search",
                                                  "matching",
                                                  "verification",
+                                                 "evidence",
                                                  "relative_pose",
                                                  "whole_frame"};
 }  // namespace

@@ -8,23 +8,30 @@
 namespace fild
 {
 /** The kinds of evidence that two frames show the same place, in the order of their columns in
- *  candidates.csv. Each is a share in (0, 1), smoothed so that few counts say little. */
+ *  candidates.csv. Each is a share in (0, 1), smoothed as (count + 1) / (total + 3), so that small
+ *  counts stay near a third. A match is close when its codes differ in at most a tenth of their
+ *  bits. */
 enum class Evidence
 {
-    inlier_share,  ///< of the matches, those in agreement with the fundamental matrix
-    shape_share,  ///< of the inliers, those of one rotation (15 degrees) and scale (half an octave)
-    affine_share,  ///< of the inliers, those that one affine map takes to within 3 % of the image
-    match_share,  ///< matches, of the keypoints of the image that has fewer
-    close_inlier_share,  ///< of the matches at a tenth of the bits or less, the inliers
-    /** Of the matches, those at a tenth of the bits or less. Many nearly equal codes among matches
-     *  that do not agree are the mark of things made alike: windows, doors, signs. */
+    /** Inliers among the matches. */
+    inlier_share,
+    /** Inliers that share one rotation (within 15 degrees) and scale (within half an octave). */
+    shape_share,
+    /** Inliers that one affine map predicts to within 3 % of the image diagonal. */
+    affine_share,
+    /** Matches, divided by the keypoints of the image with fewer. */
+    match_share,
+    /** Inliers among the close matches. */
+    close_inlier_share,
+    /** Close matches among all matches. Many close matches that do not agree on one motion are
+     *  typical of repeated things: windows, doors, signs. */
     close_share,
-    /** Of the matches, those both of whose keypoints the other image should show, by the inliers
-     *  around them. A true view that does not overlap much has wrong matches outside. */
+    /** Matches whose keypoints both lie in the part that both images show, as predicted from the
+     *  inliers. Views that overlap little have wrong matches outside it. */
     overlap_share,
-    /** Of the strong keypoints about the inliers that the candidate should show, those for which
-     *  there is a similar one where they should be. Where nearly all are found, nearly all matches
-     *  must agree, too; in a place that only looks alike they do not. */
+    /** Of the query's strong keypoints near inliers that the candidate should show, those with a
+     *  similar keypoint at the predicted position. If nearly all are found, nearly all matches
+     *  should agree as well; in a look-alike place they do not. */
     confirmed_share
 };
 
@@ -41,15 +48,15 @@ constexpr std::size_t to_index(Evidence kind)
     return static_cast<std::size_t>(kind);
 }
 
-/** How much more likely the evidence of a pair is when both frames show the same place: logarithms
- *  of likelihood ratios. Value type. */
+/** Natural logarithms of likelihood ratios: the evidence if both frames show the same place, against
+ *  the evidence under another explanation. Value type. */
 struct PairOdds
 {
-    double against_chance = 0;  ///< than when the inliers agree by chance
-    double against_look_alike = 0;  ///< than when two places look alike
+    double against_chance = 0;  ///< if the inliers agree by chance
+    double against_look_alike = 0;  ///< if two places look alike
 
-    /** Logarithm of the odds that the pair shows one place when same, chance and look-alike were
-     *  equally likely before. */
+    /** Log odds that the pair shows one place, with equal prior odds for the same place, chance and
+     *  a look-alike. */
     double log_odds() const;
 };
 

@@ -35,12 +35,12 @@ enum class Rejection
     no_candidate,  ///< the index had no answer
     below_similarity,  ///< no candidate is similar enough
     too_few_matches,  ///< fewer matches than a fundamental matrix needs, or than the inliers asked
-                      ///< for
+    ///< for
     no_model,  ///< RANSAC found no fundamental matrix
     too_few_inliers,  ///< fewer than tau
     may_be_chance,  ///< the evidence does not rule out that the inliers agree by chance
-    may_be_look_alike,  ///< nor that two places look alike
-    not_consistent_yet  ///< the pair convinces, but not enough frames about it
+    may_be_look_alike,  ///< the evidence does not rule out that two places look alike
+    not_consistent_yet  ///< the pair is convincing, but the frames before do not confirm it
 };
 
 /** The word that stands in frames.csv; empty for Rejection::none. */
@@ -68,7 +68,7 @@ struct FrameVerdict
     std::size_t matches = 0;  ///< after the ratio test, with `candidate`
     std::size_t inliers = 0;  ///< of those, in agreement with the fundamental matrix
     /** With [same_place] the probability that the frame shows the place of `candidate`, accepted
-     *  from min_probability on; without it inliers / min_inliers, verified from 1 on. */
+     *  from min_probability up; without it inliers / min_inliers, verified from 1 up. */
     double support = 0;
     Rejection rejection = Rejection::none;
 
@@ -83,11 +83,11 @@ struct ConsideredCandidate
     bool checked = false;  ///< matched and verified; else what follows says nothing
     std::size_t matches = 0;
     std::size_t inliers = 0;
-    /** As FrameVerdict::support, but of the pair alone, whatever the frames about it say. */
+    /** As FrameVerdict::support, but of the pair alone, without the frames before it. */
     double support = 0;
     Rejection rejection = Rejection::none;  ///< none: verified
-    EvidenceValues evidence{};  ///< with `odds`
-    std::optional<PairOdds> odds{};  ///< none: [same_place] is off, or there are too few inliers
+    EvidenceValues evidence{};  ///< set when `odds` is
+    std::optional<PairOdds> odds{};  ///< none: [same_place] is off, or too few inliers
 };
 
 }  // namespace fild

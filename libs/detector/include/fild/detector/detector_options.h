@@ -21,36 +21,37 @@ namespace fild
  * neighbours of its descriptor. With the defaults nothing but those, as in the paper. */
 struct TCandidateOptions : Options
 {
-    /** Of nearest neighbours at most so many frames apart only the most similar is verified: they
-     *  show one place, and neighbour_reach finds the best of its frames. 0: all are. */
+    /** Of nearest neighbours at most `place_frames` frames apart only the most similar is verified:
+     *  they show one place, and neighbour_reach finds its best frame. 0: all are verified. */
     int place_frames = 0;
-    /** From the best candidate on, frames of the same camera before and after it are verified too,
-     *  for as long as one of the next so many is better: the nearest descriptor along a street is
-     *  often that of a frame some metres off. 0: none. */
+    /** Frames of the same camera before and after the best candidate are verified too, until
+     *  `neighbour_reach` in a row are no better: along a street the nearest descriptor is often a
+     *  few metres off. 0: off. */
     int neighbour_reach = 0;
-    /** The place that the belief of [consistency] holds for the likeliest is a candidate, too. */
+    /** The most probable place of the belief of [consistency] is a candidate, too. */
     bool follow_belief = false;
-    /** Candidates are verified, most promising first, until one is good; otherwise all are, and the
-     *  best counts. */
+    /** Candidates are verified in order of promise until one is accepted. false: all are verified,
+     *  and the best counts. */
     bool stop_at_first = false;
 
  protected:
     void describe(OptionVisitor& visitor) override;
 };
 
-/** Section [consistency]: what the frames before say of a frame's candidate. */
+/** Section [consistency]: how earlier frames affect the verdict on a frame. */
 struct TConsistencyOptions : Options
 {
     /** true: a belief over the places of the map is carried from frame to frame, see PlaceBelief;
      *  needs [same_place]. false: consecutive_frames, as in the paper. */
     bool belief = false;
-    double return_probability = 0.2;  ///< that a camera on new ground comes back to a known place
-    double look_alike_share = 0.3;  ///< of what seems to be a return, the part that only looks so
-    double leave_probability = 0.02;  ///< that it leaves the known places again, a frame
-    double jump_probability = 0.05;  ///< that its next place is not near the one before
-    int place_step = 3;  ///< places that it may move along the earlier path in a frame
-    /** How much each frame counts against a look-alike; less than 1, since a look-alike that
-     *  deceives in one frame does so in the next. */
+    double return_probability = 0.2;  ///< per frame: a camera on new ground returns
+    double look_alike_share = 0.3;  ///< share of apparent returns that are look-alikes
+    double leave_probability = 0.02;  ///< per frame: it leaves the known places again
+    double jump_probability = 0.05;  ///< per frame: its next place is not near the last one
+    /** Largest number of places moved along the earlier path per frame, forward or backward. */
+    int place_step = 3;
+    /** Weight of a frame's evidence for or against a look-alike. Below 1, because look-alikes come
+     *  in rows. */
     double look_alike_weight = 0.5;
     int consecutive_frames = 2;  ///< beta: so many verified frames in a row, the last is accepted
     /** Their candidates must follow one another within this many seconds of the recording, so that

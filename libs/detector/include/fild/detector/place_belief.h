@@ -12,18 +12,17 @@
 
 namespace fild
 {
-/** A place that was compared with the current frame; no odds: it had too few inliers for any. */
+/** A place that was compared with the current frame. Without odds: it had too few inliers. */
 struct ComparedPlace
 {
     FrameId frame{};
     std::optional<PairOdds> odds;
 };
 
-/** Where the camera is, as far as its frames up to now tell: a hidden Markov model. The camera is
- * on new ground, at one of the map's places, or at a place that only looks like one of them. From
- *  frame to frame it moves along the earlier path in either direction, jumps, leaves or returns.
- *  A single frame of doubt is believed inside a certain return, and a row of look-alikes is not
- *  believed because one of its frames convinces.
+/** Tracks where the camera is, with a hidden Markov model over the frames so far. The camera is on new
+ *  ground, at one of the map's places, or at a place that only looks like one of them. From frame to
+ *  frame it moves along the earlier path in either direction, jumps, leaves or returns. So a doubtful
+ *  frame within a clear return is accepted, and one convincing frame in a row of look-alikes is not.
  *
  *  Cost of a frame: linear in the number of places, a few nanoseconds each. Deterministic. Not
  *  thread-safe: one caller at a time. */
@@ -33,22 +32,24 @@ class PlaceBelief
     /** \throw std::invalid_argument on bad options. */
     explicit PlaceBelief(const TConsistencyOptions& options);
 
-    /** A frame becomes a place of the map, after those before it. */
+    /** Adds a frame as the next place along the path. */
     void add_place(FrameId frame);
 
-    /** Takes in the next frame.
-     *  \param compared  places of the map; others are taken to be somewhat unlikely.
+    /** Updates the belief with the next frame.
+     *  \param compared  places of the map that it was compared with; all others count as slightly
+     *         unlikely.
      *  \return the probability that the frame shows a place of the map. */
     double update(const std::vector<ComparedPlace>& compared);
 
-    /** The likeliest place, when the camera is more likely at one of the map than elsewhere. */
+    /** The most probable place; none when the camera is at a known place with a probability below
+     *  0.2. */
     std::optional<FrameId> likeliest() const;
 
  private:
     struct Places
     {
         std::vector<double> same;  ///< probability to be at each place
-        std::vector<double> look_alike;  ///< and at one that only looks like it
+        std::vector<double> look_alike;  ///< probability to be at a look-alike of each place
     };
 
     void move(const std::vector<std::size_t>& entrances);

@@ -16,35 +16,35 @@ struct EvidenceWeights
     EvidenceValues of_share{};  ///< of log(share / (1 - share)), for each kind of evidence
 };
 
-/** Section [same_place]: the probability that a pair of frames shows one place. The coefficients
- * are fitted by tests/benchmark/fit_same_place.py to labelled runs; their signs are fixed, so that
- * each kind of evidence speaks in one direction only. */
+/** Section [same_place]: the probability that a pair of frames shows one place. The coefficients are
+ *  fitted by tests/benchmark/fit_same_place.py to labelled runs. Each has a fixed sign, so that more of
+ *  one kind of evidence never changes sides. */
 struct TSamePlaceOptions : Options
 {
     bool enabled = false;  ///< false: min_inliers (tau) alone decides, as in the paper
     double min_probability = 0.95;  ///< of a loop closure
-    EvidenceWeights chance;  ///< keys chance_...: same place against inliers by chance
-    EvidenceWeights look_alike;  ///< keys look_alike_...: same place against a look-alike
+    EvidenceWeights chance;  ///< keys chance_...; same place against chance
+    EvidenceWeights look_alike;  ///< keys look_alike_...; same place against a look-alike
 
  protected:
     void describe(OptionVisitor& visitor) override;
 };
 
 /** Weighs the evidence that two frames show the same place against two other explanations: that the
- *  inliers agree by chance, and that two places look alike. A logistic model for each. Value
- * type.*/
+ *  inliers agree by chance, and that two places look alike. One logistic model for each. Value
+ *  type. */
 class SamePlaceModel
 {
  public:
     /** \throw std::invalid_argument on bad options. */
     explicit SamePlaceModel(const TSamePlaceOptions& options);
 
-    /** Each log-likelihood ratio is kept within 12 (chance) or 6 (look-alike) of 0: a model fitted
-     *  to some thousand pairs knows no more. */
+    /** The log-likelihood ratios are limited to +-12 (chance) and +-6 (look-alike): a fit to a few
+     *  thousand pairs supports no larger ones. */
     PairOdds odds(std::size_t inliers, const EvidenceValues& evidence) const;
 
-    /** True when the pair alone, all explanations being equally likely before, reaches
-     *  min_probability. */
+    /** True when the pair alone reaches min_probability, with equal prior odds for all three
+     *  explanations. */
     bool convinces(const PairOdds& odds) const { return odds.log_odds() >= min_log_odds_; }
 
     double min_log_odds() const { return min_log_odds_; }

@@ -16,7 +16,7 @@ struct WorstWrongPair
     FrameId frame{};
     FrameId candidate{};
     std::size_t inliers = 0;
-    double support = 0;  ///< as in FrameVerdict: verified from 1 on
+    double support = 0;  ///< as in FrameVerdict
     bool accepted = false;
 };
 

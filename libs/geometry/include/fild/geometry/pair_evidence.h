@@ -8,7 +8,7 @@
 
 namespace fild
 {
-/** What was found when two frames were matched and verified. */
+/** Two frames, their matches and their inliers. */
 struct MatchedPair
 {
     const HashedFeatures& query;
@@ -19,9 +19,9 @@ struct MatchedPair
 
 /** Measures each kind of evidence. The inliers tell where a keypoint of one image should be in the
  *  other: an affine map fitted to them, moved so that the nearest inlier fits exactly.
- *  With fewer than 3 inliers, or none that an affine map of a scale between 1/5 and 5 fits, the
- *  views are taken to overlap wholly. Cost: keypoints x inliers.
- *  Deterministic. \throw std::invalid_argument when a frame has not a shape for each position. */
+ *  With fewer than 3 inliers, or without an affine map of a scale from 1/5 to 5, the views count as
+ *  overlapping completely. Cost: keypoints x inliers, at most 200 of them. Deterministic.
+ *  \throw std::invalid_argument when a frame lacks a shape or code for a position. */
 EvidenceValues measure_evidence(const MatchedPair& pair);
 
 }  // namespace fild

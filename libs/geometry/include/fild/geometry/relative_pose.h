@@ -22,7 +22,7 @@ enum class NoMetricPose
     not_calibrated,  ///< one of the cameras
     no_depth,  ///< no match has a depth in either frame: scale is unknown
     too_few_points,  ///< fewer matches with depth, or fewer of them agree, than
-                     ///< TRelativePoseOptions::min_points
+    ///< TRelativePoseOptions::min_points
     no_model,  ///< RANSAC found no pose
     degenerate,  ///< the points do not fix all six degrees of freedom well enough
     disagreement  ///< too small a share of the verified matches agrees with the pose

@@ -19,13 +19,13 @@ struct ShapeTolerance
  *  orientations and sizes. */
 struct DominantShape
 {
-    int angle_steps = 0;  ///< candidate minus query, KeypointShape::kStepsPerTurn-ths of a turn
-    int size_steps = 0;  ///< candidate minus query, KeypointShape::kStepsPerOctave-ths
+    int angle_steps = 0;  ///< candidate minus query, in 1 / kStepsPerTurn of a turn
+    int size_steps = 0;  ///< candidate minus query, in 1 / kStepsPerOctave octaves
     std::size_t agreeing = 0;  ///< matches within the tolerance
 };
 
-/** The match that most matches agree with; of several the first. Cost quadratic in the matches.
- *  No match: nothing agrees. */
+/** Rotation and scale of the match with which most matches agree, the first one in a tie. Cost
+ *  quadratic in the matches. Without matches `agreeing` is 0. */
 DominantShape dominant_shape(const std::vector<Match>& matches,
                              const std::vector<KeypointShape>& query,
                              const std::vector<KeypointShape>& candidate,

@@ -83,12 +83,12 @@ class LoopCsv
  *  when it is whole:
  *
  *  `frame,rank,candidate,similarity,checked,matches,inliers,rejection,support`, then one column for
- *  each kind of Evidence, `against_chance` and `against_look_alike` (PairOdds); empty where
- * [same_place] is off or the pair has too few inliers.
+ *  each kind of Evidence, `against_chance` and `against_look_alike` (PairOdds).
  *
- *  rank is the place among the answers of the index from 1, empty for a frame that was verified but
- *  was none of them; checked 0 or 1; what comes after it is empty when it is 0, and rejection when
- *  the candidate was verified. Not thread-safe: one caller at a time. */
+ *  rank is the position among the answers of the index, from 1; empty for a frame that was verified
+ *  but is not among them. checked is 0 or 1. The columns after it are empty when it is 0; rejection
+ *  also when the pair was verified; evidence and odds also when [same_place] is off or the pair has
+ *  too few inliers. support as in ConsideredCandidate. Not thread-safe: one caller at a time. */
 class CandidateCsv
 {
  public:

@@ -26,7 +26,7 @@ struct TTruthOptions : Options
     /** A pair that is no loop is doubtful from this overlap on, in either direction: the two frames
      *  show some of the same surface, so a match between them is not wrong. */
     double doubtful_overlap = 0.03;
-    double doubtful_overlap_distance_m = 40;  ///< largest distance at which overlap is looked for
+    double doubtful_overlap_distance_m = 100;  ///< largest distance at which overlap is looked for
     double doubtful_overlap_angle_deg = 90;  ///< largest angle at which overlap is looked for
     /** A pair within this distance and doubtful_max_angle_deg is doubtful whatever it shows. */
     double doubtful_max_distance_m = 15;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/detector/place_belief.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace
+{
+using fild::ComparedPlace;
+using fild::FrameId;
+using fild::PairOdds;
+
+fild::PlaceBelief belief_of(std::size_t places)
+{
+    fild::TConsistencyOptions options;
+    options.belief = true;
+    fild::PlaceBelief belief(options);
+    for (std::size_t i = 0; i < places; ++i) belief.add_place(FrameId{i});
+    return belief;
+}
+
+/** The frame is compared with one place, and with three others in vain. */
+std::vector<ComparedPlace> seen_at(std::uint64_t place, const PairOdds& odds)
+{
+    return {{FrameId{place}, odds},
+            {FrameId{90}, std::nullopt},
+            {FrameId{91}, std::nullopt},
+            {FrameId{92}, std::nullopt}};
+}
+
+TEST(PlaceBelief, BeginsOnNewGround)
+{
+    auto belief = belief_of(100);
+    EXPECT_FALSE(belief.likeliest());
+    EXPECT_EQ(belief.update({}), 0);
+    EXPECT_FALSE(belief.likeliest());
+}
+
+TEST(PlaceBelief, DoesNotBelieveASingleFairlyGoodFrameButARowOfThem)
+{
+    auto belief = belief_of(100);
+    const PairOdds fair{3, 3};
+    EXPECT_LT(belief.update(seen_at(10, fair)), 0.8);
+    belief.update(seen_at(11, fair));
+    belief.update(seen_at(12, fair));
+    EXPECT_GT(belief.update(seen_at(13, fair)), 0.95);
+    EXPECT_EQ(*belief.likeliest(), FrameId{13});
+}
+
+TEST(PlaceBelief, BelievesAFrameOfDoubtInsideAReturnButNotInNowhere)
+{
+    const PairOdds doubt{1, 1};
+    auto belief = belief_of(100);
+    for (std::uint64_t i = 0; i < 5; ++i) belief.update(seen_at(10 + i, {8, 5}));
+    EXPECT_GT(belief.update(seen_at(15, doubt)), 0.95);
+    EXPECT_LT(belief_of(100).update(seen_at(15, doubt)), 0.3);
+}
+
+TEST(PlaceBelief, FollowsThePathBackwardToo)
+{
+    auto belief = belief_of(100);
+    for (std::uint64_t i = 0; i < 5; ++i) belief.update(seen_at(60 - 2 * i, {4, 4}));
+    EXPECT_GT(belief.update(seen_at(50, {2, 2})), 0.95);
+}
+
+/** Two floors of one building: each frame fits, and each frame has what a true return has not. */
+TEST(PlaceBelief, DoesNotBelieveARowOfLookAlikesForOneFrameThatConvinces)
+{
+    auto belief = belief_of(100);
+    for (std::uint64_t i = 0; i < 8; ++i) EXPECT_LT(belief.update(seen_at(10 + i, {10, -2})), 0.5);
+    EXPECT_LT(belief.update(seen_at(18, {10, 6})), 0.5);
+    EXPECT_FALSE(belief.likeliest());
+}
+
+TEST(PlaceBelief, LeavesAPlaceThatIsNotSeenAnyMore)
+{
+    auto belief = belief_of(100);
+    for (std::uint64_t i = 0; i < 5; ++i) belief.update(seen_at(10 + i, {8, 5}));
+    double probability = 1;
+    for (int i = 0; i < 8; ++i) probability = belief.update(seen_at(70, {-8, 0}));
+    EXPECT_LT(probability, 0.1);
+}
+
+TEST(PlaceBelief, JumpsToAnotherPlace)
+{
+    auto belief = belief_of(100);
+    for (std::uint64_t i = 0; i < 5; ++i) belief.update(seen_at(10 + i, {8, 5}));
+    EXPECT_GT(belief.update(seen_at(70, {8, 5})), 0.95);
+    EXPECT_EQ(*belief.likeliest(), FrameId{70});
+}
+
+TEST(PlaceBelief, RemainsAProbabilityForThousandsOfFrames)
+{
+    auto belief = belief_of(300);
+    for (std::uint64_t i = 0; i < 3000; ++i)
+    {
+        const double p = belief.update(seen_at(i % 300, {i % 7 == 0 ? 12.0 : -12.0, 6}));
+        ASSERT_GE(p, 0);
+        ASSERT_LE(p, 1 + 1e-12);
+    }
+}
+
+}  // namespace
