@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 TEST(DetectorOptions, DefaultsOfEverySectionAreValid)
 {
     fild::TDetectorOptions options;
-    EXPECT_EQ(options.sections().size(), 10U);
+    EXPECT_EQ(options.sections().size(), 11U);
     for (const auto& [name, section] : options.sections())
         EXPECT_NO_THROW(section->check()) << name;
 }

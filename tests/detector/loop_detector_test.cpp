@@ -354,6 +354,17 @@ TEST(LoopDetector, SaysWhichExplanationTheEvidenceLeavesOpen)
     EXPECT_LT(last().verdict.support, 0.1);
 }
 
+/** Inside a certain return the belief accepts what a pair alone does not, down to a limit. */
+TEST(LoopDetector, BelievesAWeakPairOnlyDownToMinPairProbability)
+{
+    auto options = options_with_belief(5);
+    options.same_place.look_alike.bias = 2.5;  // a pair reaches 0.92, and 0.95 is asked for
+    const std::vector<std::uint64_t> places{10, 11, 12, 13, 14, 15, 16, 10, 11, 12, 13, 14};
+    EXPECT_TRUE(drive(options, places).back().verdict.accepted());
+    options.consistency.min_pair_probability = 0.93;
+    EXPECT_EQ(drive(options, places).back().verdict.rejection, Rejection::may_be_look_alike);
+}
+
 TEST(LoopDetector, RefusesABeliefWithoutEvidence)
 {
     auto options = options_with_belief(2);

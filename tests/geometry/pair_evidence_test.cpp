@@ -91,7 +91,7 @@ TEST(PairEvidence, OfAViewThatIsSeenAgainIsAllGood)
     const auto query = scattered(1);
     const auto candidate = moved(query, 5, 0, 0);
     const auto matches = first_matches(200, 30);
-    const auto values = measure_evidence({query, candidate, matches, matches});
+    const auto values = fild::measure_evidence({query, candidate, matches, matches});
     EXPECT_NEAR(value(values, Evidence::inlier_share), 201.0 / 203, 1e-12);
     EXPECT_NEAR(value(values, Evidence::shape_share), 201.0 / 203, 1e-12);
     EXPECT_NEAR(value(values, Evidence::affine_share), 201.0 / 203, 1e-12);
@@ -107,7 +107,7 @@ TEST(PairEvidence, CountsCloseMatchesThatAreNoInliers)
     const auto candidate = moved(query, 5, 0, 0);
     const auto matches = first_matches(100, 10);
     const std::vector<Match> inliers(matches.begin(), matches.begin() + 25);
-    const auto values = measure_evidence({query, candidate, matches, inliers});
+    const auto values = fild::measure_evidence({query, candidate, matches, inliers});
     EXPECT_NEAR(value(values, Evidence::close_share), 101.0 / 103, 1e-12);
     EXPECT_NEAR(value(values, Evidence::close_inlier_share), 26.0 / 103, 1e-12);
     EXPECT_NEAR(value(values, Evidence::inlier_share), 26.0 / 103, 1e-12);
@@ -127,7 +127,7 @@ TEST(PairEvidence, MissesWhatShouldBeThere)
             candidate.codes.words[4 * i + w] = query.codes.words[4 * i + w];
     }
     const auto matches = first_matches(kAlike, 0);
-    const auto values = measure_evidence({query, candidate, matches, matches});
+    const auto values = fild::measure_evidence({query, candidate, matches, matches});
     EXPECT_NEAR(value(values, Evidence::confirmed_share),
                 static_cast<double>(kAlike) / (kKeypoints / 2.0),
                 0.06);
@@ -143,7 +143,7 @@ TEST(PairEvidence, ExpectsNothingBeyondTheBorder)
     const auto inliers = matches;
     for (std::size_t i = 0; i < kKeypoints; ++i)
         if (query.positions[i].x > 400) matches.push_back({i, i, 20});
-    const auto values = measure_evidence({query, candidate, matches, inliers});
+    const auto values = fild::measure_evidence({query, candidate, matches, inliers});
     EXPECT_LT(value(values, Evidence::overlap_share), 0.6);
     EXPECT_GT(value(values, Evidence::confirmed_share), 0.9) << "of what is in both views";
 }
@@ -153,7 +153,7 @@ TEST(PairEvidence, TakesTooFewInliersForAWholeOverlap)
     const auto query = scattered(1);
     const auto matches = first_matches(20, 20);
     const std::vector<Match> inliers(matches.begin(), matches.begin() + 2);
-    const auto values = measure_evidence({query, query, matches, inliers});
+    const auto values = fild::measure_evidence({query, query, matches, inliers});
     EXPECT_NEAR(value(values, Evidence::overlap_share), 21.0 / 23, 1e-12);
     EXPECT_GT(value(values, Evidence::confirmed_share), 0.99);
 }
@@ -163,7 +163,7 @@ TEST(PairEvidence, NeedsShapes)
     const auto query = scattered(1);
     auto without = query;
     without.shapes.clear();
-    EXPECT_THROW(measure_evidence({query, without, {}, {}}), std::invalid_argument);
+    EXPECT_THROW(fild::measure_evidence({query, without, {}, {}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ void TCandidateOptions::describe(OptionVisitor& visitor)
 void TConsistencyOptions::describe(OptionVisitor& visitor)
 {
     visitor.flag("belief", belief);
+    visitor.real("min_pair_probability", min_pair_probability, 0.000001, 0.999999);
     visitor.real("return_probability", return_probability, 1e-6, 0.9);
     visitor.real("look_alike_share", look_alike_share, 0, 0.99);
     visitor.real("leave_probability", leave_probability, 1e-6, 0.5);

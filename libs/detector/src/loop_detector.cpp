@@ -135,7 +135,9 @@ LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_d
     candidate_options_.check();
     options.check_between_sections();
     if (options.same_place.enabled) model_.emplace(options.same_place);
-    if (options.consistency.belief) belief_.emplace(options.consistency);
+    if (!options.consistency.belief) return;
+    belief_.emplace(options.consistency);
+    min_pair_log_odds_ = log_odds_of(options.consistency.min_pair_probability);
 }
 
 DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& times)
@@ -308,7 +310,7 @@ void LoopDetector::ask_belief(DetectorOutcome& outcome)
         if (verdict.candidate && entry.candidate.frame == verdict.candidate->frame) named = &entry;
     }
     const double probability = belief_->update(compared);
-    if (named == nullptr || !named->odds) return;
+    if (named == nullptr || !named->odds || named->odds->log_odds() < min_pair_log_odds_) return;
     verdict.support = probability;
     if (log_odds_of(probability) >= model_->min_log_odds())
         verdict.rejection = Rejection::none;

@@ -57,11 +57,14 @@ Judgement PoseTruth::judge(FrameId query, FrameId candidate) const
     const auto& now = frames_.at(to_index(query));
     const auto& then = frames_.at(to_index(candidate));
     if (!now.pose || !then.pose) return Judgement::neither;
-    if (!are_near(*now.pose, *then.pose, protocol_.radius, protocol_.max_angle_deg))
-        return are_near(
-                   *now.pose, *then.pose, protocol_.doubtful_radius, 2 * protocol_.max_angle_deg)
-                   ? Judgement::neither
-                   : Judgement::wrong;
+    const auto within = [&](double radius, double max_angle_deg)
+    { return are_near(*now.pose, *then.pose, radius, max_angle_deg); };
+    if (!within(protocol_.radius, protocol_.max_angle_deg))
+    {
+        const bool is_doubtful = protocol_.doubtful_radius > 0 &&
+                                 within(protocol_.doubtful_radius, 2 * protocol_.max_angle_deg);
+        return is_doubtful ? Judgement::neither : Judgement::wrong;
+    }
     const bool old_enough = now.timestamp - then.timestamp >= protocol_.min_age_seconds;
     return old_enough ? Judgement::right : Judgement::neither;
 }

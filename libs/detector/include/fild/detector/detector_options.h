@@ -44,6 +44,8 @@ struct TConsistencyOptions : Options
     /** true: a belief over the places of the map is carried from frame to frame, see PlaceBelief;
      *  needs [same_place]. false: consecutive_frames, as in the paper. */
     bool belief = false;
+    /** A pair that alone is less probable than this is rejected, whatever the belief. */
+    double min_pair_probability = 0.2;
     double return_probability = 0.2;  ///< per frame: a camera on new ground returns
     double look_alike_share = 0.3;  ///< share of apparent returns that are look-alikes
     double leave_probability = 0.02;  ///< per frame: it leaves the known places again

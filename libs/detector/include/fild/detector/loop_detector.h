@@ -100,6 +100,7 @@ class LoopDetector
     TemporalConsistency consistency_;
     std::optional<SamePlaceModel> model_;  ///< none: [same_place] is off
     std::optional<PlaceBelief> belief_;  ///< none: consecutive frames are counted
+    double min_pair_log_odds_ = 0;  ///< of a pair that the belief may accept
 
     std::unordered_map<FrameId, Place> places_;
     std::size_t map_bytes_ = 0;
