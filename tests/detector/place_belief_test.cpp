@@ -48,6 +48,12 @@ TEST(PlaceBelief, DoesNotBelieveASingleFairlyGoodFrameButARowOfThem)
     EXPECT_EQ(*belief.likeliest(), FrameId{13});
 }
 
+TEST(PlaceBelief, BelievesASingleFrameThatLeavesNoDoubt)
+{
+    auto belief = belief_of(100);
+    EXPECT_GT(belief.update(seen_at(10, {12, 10})), 0.98);
+}
+
 TEST(PlaceBelief, BelievesAFrameOfDoubtInsideAReturnButNotInNowhere)
 {
     const PairOdds doubt{1, 1};

@@ -47,7 +47,7 @@ TEST(SamePlaceModel, StaysWithinWhatCanBeLearnt)
     sure.look_alike.bias = -90;
     const auto odds = fild::SamePlaceModel(sure).odds(1000, halves());
     EXPECT_EQ(odds.against_chance, 12);
-    EXPECT_EQ(odds.against_look_alike, -6);
+    EXPECT_EQ(odds.against_look_alike, -10);
 }
 
 TEST(SamePlaceModel, TakesSharesOfNoneAndAll)

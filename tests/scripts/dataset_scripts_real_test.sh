@@ -21,26 +21,33 @@ frames_per_visit=5
 
 fail() { echo "dataset_scripts_real_test.sh: $*" >&2; exit 1; }
 
-# copies FOLDER NAMES LINE IMAGE: the image under five names, in the format that they ask for.
+# copies FOLDER IMAGE COLOUR: the image under the names on standard input, in the format that they ask
+# for; COLOUR is `as_it_is`, or `grey` for a plain one of its size.
 copies() {
-  sed -n "$3,$(($3 + frames_per_visit - 1))p" "$2" | "$python" -c '
+  "$python" -c '
 import sys, cv2
-folder, source = sys.argv[1:]
+folder, source, colour = sys.argv[1:]
 image = cv2.imread(source, cv2.IMREAD_UNCHANGED)
+if colour == "grey":
+    image[:] = 128
 for name in sys.stdin.read().split():
     cv2.imwrite(f"{folder}/{name}", image)
-' "$1" "$4"
+' "$@"
 }
 
-# two_visits FOLDER NAMES FIRST_LINE SECOND_LINE IMAGE_A IMAGE_B: five frames of a place under the names
-# from FIRST_LINE of the list NAMES on, five from SECOND_LINE on; FOLDER.loops.txt pairs them all.
+# two_visits FOLDER NAMES FIRST_LINE SECOND_LINE IMAGE_A IMAGE_B STRIDE: five frames of a place under the
+# names from FIRST_LINE of the list NAMES on, five from SECOND_LINE on, between them every STRIDEth name,
+# which shows nothing: a gap would be taken for a clock that was set. FOLDER.loops.txt pairs all visits.
 two_visits() {
-  local i j
+  local i j between
   mkdir "$work/$1"
-  copies "$work/$1" "$2" "$3" "$5"
-  copies "$work/$1" "$2" "$4" "$6"
+  sed -n "$3,$(($3 + frames_per_visit - 1))p" "$2" | copies "$work/$1" "$5" as_it_is
+  sed -n "$(($3 + frames_per_visit + $7)),$(($4 - 1))p" "$2" | awk -v n="$7" 'NR % n == 1' > "$work/$1.between"
+  copies "$work/$1" "$5" grey < "$work/$1.between"
+  sed -n "$4,$(($4 + frames_per_visit - 1))p" "$2" | copies "$work/$1" "$6" as_it_is
+  between=$(wc -l < "$work/$1.between")
   for ((i = 0; i < frames_per_visit; ++i)); do
-    for ((j = 0; j < frames_per_visit; ++j)); do echo "$((frames_per_visit + i)) $j"; done
+    for ((j = 0; j < frames_per_visit; ++j)); do echo "$((frames_per_visit + between + i)) $j"; done
   done > "$work/$1.loops.txt"
 }
 
@@ -70,10 +77,10 @@ truth=$data/ground_truth
 two_visits malaga "$truth/malaga6l_frames.txt" \
   "$(grep -n 1226322120.504112 "$truth/malaga6l_frames.txt" | cut -d : -f 1)" \
   "$(grep -n 1226322307.261530 "$truth/malaga6l_frames.txt" | cut -d : -f 1)" \
-  "$data/pairs/malaga6l_a.jpg" "$data/pairs/malaga6l_b.jpg"
+  "$data/pairs/malaga6l_a.jpg" "$data/pairs/malaga6l_b.jpg" 30
 check malaga_parking_6l.sh malaga
 two_visits new_college "$truth/newcollege_frames_2624.txt" 1 200 \
-  "$data/pairs/newcollege_a.png" "$data/pairs/newcollege_b.png"
+  "$data/pairs/newcollege_a.png" "$data/pairs/newcollege_b.png" 4
 check new_college.sh new_college
 whole_set malaga_parking_6l.sh whole_malaga "$truth/malaga6l_frames.txt" \
   "$truth/assigning_visual_words/groundTruth_MALAGA_6L.mat" 3474

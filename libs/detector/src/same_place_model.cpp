@@ -11,7 +11,7 @@ namespace
 {
 constexpr double kLargest = 100;
 constexpr double kMaxAgainstChance = 12;
-constexpr double kMaxAgainstLookAlike = 6;
+constexpr double kMaxAgainstLookAlike = 10;
 constexpr double kInliersOfAnyModel = 6;
 constexpr double kLeastShare = 0.003;
 

@@ -39,7 +39,7 @@ class SamePlaceModel
     /** \throw std::invalid_argument on bad options. */
     explicit SamePlaceModel(const TSamePlaceOptions& options);
 
-    /** The log-likelihood ratios are limited to +-12 (chance) and +-6 (look-alike): a fit to a few
+    /** The log-likelihood ratios are limited to +-12 (chance) and +-10 (look-alike): a fit to a few
      *  thousand pairs supports no larger ones. */
     PairOdds odds(std::size_t inliers, const EvidenceValues& evidence) const;
 
