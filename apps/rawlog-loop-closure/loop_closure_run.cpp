@@ -159,6 +159,9 @@ void run_loop_closure(RunRequest request)
     MapBuilder builder(options.stream.detector, options.graph);
     auto& summary = gathered.summary;
     summary.ended_early = read_what_can_be_read(request, reader, stream, builder, gathered);
+    summary.clock_jumps = stream.detector().clock_jumps();
+    summary.scaled_frames = stream.frames().scaled_frames();
+    summary.ignored_camera_labels = stream.frames().ignored_camera_labels();
     RunOutput output(request, folder, stream, gathered);
     output.write_results(builder);
     output.attempt("cannot report the result",

@@ -161,9 +161,6 @@ void RunOutput::complete_summary(std::chrono::steady_clock::time_point start)
     summary_.command = request_.command;
     summary_.rawlog = request_.rawlog;
     summary_.max_frames = request_.max_frames;
-    summary_.clock_jumps = stream_.detector().clock_jumps();
-    summary_.scaled_frames = stream_.frames().scaled_frames();
-    summary_.ignored_camera_labels = stream_.frames().ignored_camera_labels();
     auto all_options = options_;
     for (const auto& [name, options] : all_options.sections())
         summary_.options.emplace_back(name, options->values());

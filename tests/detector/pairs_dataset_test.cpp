@@ -49,8 +49,10 @@ std::vector<fild::FrameDescription> describe_all(const fild::TDetectorOptions& o
 /** The verdict on `query` when `earlier` is all that was seen before. */
 fild::FrameVerdict verdict_on(fild::FrameDescription query,
                               const fild::FrameDescription& earlier,
-                              const fild::TDetectorOptions& options)
+                              fild::TDetectorOptions options)
 {
+    options.index.delay_seconds =
+        2;  // a longer gap between two frames might be a clock that was set
     fild::LoopDetector detector(options, query.global.size());
     fild::StageTimes times;
     detector.process(earlier, times);
@@ -85,6 +87,7 @@ class Pairs : public ::testing::TestWithParam<int>
                 else
                     EXPECT_TRUE(verdict.rejection == fild::Rejection::too_few_matches ||
                                 verdict.rejection == fild::Rejection::too_few_inliers ||
+                                verdict.rejection == fild::Rejection::may_be_chance ||
                                 verdict.rejection == fild::Rejection::no_model)
                         << kNames[a] << " and " << kNames[b] << ": " << to_word(verdict.rejection);
             }

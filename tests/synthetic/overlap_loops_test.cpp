@@ -214,7 +214,11 @@ TEST(OverlapLoops, FarFramesThatShowTheSameSurfaceAreDoubtful)
     const Panel wide = wide_wall(40);
     EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 20)), "doubtful");
     EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 39)), "doubtful");
-    EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 41)), "wrong");
+    EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 41)), "doubtful");
+    auto nearer = TTruthOptions();
+    nearer.doubtful_overlap_distance_m = 40;
+    EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 39), nearer), "doubtful");
+    EXPECT_EQ(verdict({wide}, at(0, 0), at(0, 41), nearer), "wrong");
     // 90 degrees wide: turned by 80 degrees, they share the far end of a wall at most.
     const Panel slanted{{40, 0, 5}, {100, -100, 0}, {0, 0, 200}};
     EXPECT_EQ(verdict({slanted}, at(0, 0), at(0, 0, 80)), "doubtful");
