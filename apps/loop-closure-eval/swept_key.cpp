@@ -50,7 +50,8 @@ SweptKey parse_swept_key(const std::string& words)
     SweptKey swept{words.substr(0, equals), {}};
     if (equals != std::string::npos) swept.values = split_at_commas(words.substr(equals + 1));
     const bool has_blank = std::count(swept.values.begin(), swept.values.end(), "") > 0;
-    if (swept.values.empty() || has_blank || dot == 0 || dot + 1 >= equals)
+    if (swept.values.empty() || has_blank || dot == std::string::npos || dot == 0 ||
+        dot + 1 >= equals)
         throw std::invalid_argument("'" + words + "' is not of the form section.key=value,value");
     return swept;
 }

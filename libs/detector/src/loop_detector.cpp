@@ -217,7 +217,7 @@ std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,
     }
     if (!candidate_options_.follow_belief) return chosen;
     if (const auto place = belief_->likeliest())
-        chosen.insert(chosen.begin(), {*place, index_->similarity(query.global, *place)});
+        chosen.push_back({*place, index_->similarity(query.global, *place)});
     return chosen;
 }
 
