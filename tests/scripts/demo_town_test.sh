@@ -27,14 +27,20 @@ assert score["recall"] >= 0.9 and score["segment_recall"] == 1, score
 exact = json.load(open("demo-results/evaluation/exact/evaluation.json"))
 assert exact["precision"] == 1 and exact["recall"] >= 0.9, exact
 
-# Whatever was accepted is near and seen in the same direction: no look-alike house.
+# Whatever was accepted shows the same houses, as the truth says of it (a line `query candidate 0`: from
+# further off): no look-alike. Nearly all of it is near and seen in the same direction.
 def heading(qx, qy, qz, qw):
     return math.degrees(math.atan2(2 * (qw * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz)))
 
+same_houses = {tuple(line.split()[:2]) for line in open("demo-results/town.loops.txt") if line[0] != "#"}
 poses = [list(map(float, line.split()[1:])) for line in open("demo-results/town.gt.tum")]
-for loop in csv.DictReader(open("demo-results/loops.csv")):
+near = 0
+loops = list(csv.DictReader(open("demo-results/loops.csv")))
+for loop in loops:
+    assert (loop["frame"], loop["candidate"]) in same_houses, loop
     query, candidate = poses[int(loop["frame"])], poses[int(loop["candidate"])]
-    metres = math.dist(query[:3], candidate[:3])
     turned = abs((heading(*query[3:]) - heading(*candidate[3:]) + 180) % 360 - 180)
-    assert metres < 10 and turned < 45, (loop, metres, turned)
+    assert turned < 60, (loop, turned)
+    near += math.dist(query[:3], candidate[:3]) < 10
+assert near >= 0.85 * len(loops), (near, len(loops))
 END
