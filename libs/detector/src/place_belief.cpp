@@ -54,6 +54,7 @@ void PlaceBelief::add_place(FrameId frame)
 double PlaceBelief::update(const std::vector<ComparedPlace>& compared)
 {
     std::vector<std::size_t> entrances;
+    entrances.reserve(compared.size());
     for (const auto& place : compared) entrances.push_back(places_of_frames_.at(place.frame));
     move(entrances);
     weigh(compared);

@@ -17,9 +17,9 @@ KeypointGrid::KeypointGrid(const HashedFeatures& features, double radius)
     for (std::size_t k = 0; k < features.positions.size(); ++k)
     {
         const auto& p = features.positions[k];
-        const int cell =
-            row_of(static_cast<double>(p.y)) * columns_ + column_of(static_cast<double>(p.x));
-        cells_[static_cast<std::size_t>(cell)].push_back(static_cast<std::uint32_t>(k));
+        const int column = column_of(static_cast<double>(p.x));
+        const int row = row_of(static_cast<double>(p.y));
+        cells_[cell_at(column, row)].push_back(static_cast<std::uint32_t>(k));
     }
 }
 
@@ -31,6 +31,12 @@ int KeypointGrid::column_of(double x) const
 int KeypointGrid::row_of(double y) const
 {
     return std::clamp(static_cast<int>(y / radius_), 0, rows_ - 1);
+}
+
+std::size_t KeypointGrid::cell_at(int column, int row) const
+{
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
 }
 
 bool KeypointGrid::is_wanted(std::uint32_t keypoint, const Wanted& wanted) const
@@ -49,7 +55,7 @@ bool KeypointGrid::has(const Wanted& wanted) const
     const int row = row_of(static_cast<double>(wanted.position.y));
     for (int y = std::max(0, row - 1); y <= std::min(rows_ - 1, row + 1); ++y)
         for (int x = std::max(0, column - 1); x <= std::min(columns_ - 1, column + 1); ++x)
-            for (const auto k : cells_[static_cast<std::size_t>(y * columns_ + x)])
+            for (const auto k : cells_[cell_at(x, y)])
                 if (is_wanted(k, wanted)) return true;
     return false;
 }

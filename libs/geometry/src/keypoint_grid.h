@@ -3,6 +3,7 @@
 
 #include "fild/core/descriptors.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,7 @@ class KeypointGrid
  private:
     int column_of(double x) const;
     int row_of(double y) const;
+    std::size_t cell_at(int column, int row) const;
     bool is_wanted(std::uint32_t keypoint, const Wanted& wanted) const;
 
     const HashedFeatures& features_;
