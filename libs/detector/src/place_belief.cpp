@@ -13,8 +13,8 @@ namespace
 {
 constexpr double kLeastEvidence = -1.5;  // log-likelihood ratio of places that were not compared
 constexpr double kWorthALook = 0.2;  // probability to be at a place of the map
-constexpr int kReach = 3;  // places about a compared one that its evidence counts for ...
-constexpr double kLossPerPlace = 0.3;  // ... less with the distance
+constexpr int kReach = 3;  // places on either side of a compared one to which its evidence applies
+constexpr double kLossPerPlace = 0.3;  // of the log-likelihood ratio, with the distance
 
 /** Each place's belief spread evenly over those up to `step` before and after it. */
 std::vector<double> spread(const std::vector<double>& belief, int step)
