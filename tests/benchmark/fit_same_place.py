@@ -20,8 +20,8 @@ import numpy as np
 SHARES = ["inlier_share", "shape_share", "affine_share", "match_share", "close_inlier_share",
           "close_share", "overlap_share", "confirmed_share"]
 # What a greater number says: 1 for one place, -1 against it, 0 left out.
-CHANCE_SIGNS = np.array([1, 1, 1, 1, 0, 0, 0, 0, 0])
-LOOK_ALIKE_SIGNS = np.array([0, 1, 0, 0, 1, 1, -1, -1, -1])
+CHANCE_SIGNS = np.array([1, 1, 0, 1, 0, 0, 0, 0, 0])
+LOOK_ALIKE_SIGNS = np.array([0, 1, -1, 0, 1, 1, -1, -1, -1])
 LEAST_SHARE = 0.003
 CLEAR_INLIERS = 15  # a true pair with fewer is not clear enough to learn from
 LOOK_ALIKE_INLIERS = 20

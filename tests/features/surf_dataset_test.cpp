@@ -9,6 +9,9 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -200,34 +203,33 @@ TEST_F(SurfOnAffineImages, LeuvenInOtherLight)
     EXPECT_GT(inliers, 0.5 * static_cast<double>(matches.size()));
 }
 
-std::vector<double> mean_descriptor(const std::vector<std::string>& names)
-{
-    std::vector<double> sum(LocalFeatures::dimension, 0.0);
-    std::size_t count = 0;
-    for (const auto& name : names)
-    {
-        const auto features = read_view(name).features;
-        for (std::size_t i = 0; i < features.descriptors.size(); ++i)
-            sum[i % LocalFeatures::dimension] += features.descriptors[i];
-        count += features.size();
-    }
-    for (double& value : sum) value /= static_cast<double>(std::max<std::size_t>(1, count));
-    return sum;
-}
+using Numbers = std::vector<double>;
 
-/** Means over one kind of subregion (2 outer sides: corner, 1: edge, 0: inner). */
-struct KindMean
+/** Mean and mean square of each number of `descriptors`. */
+struct Moments
 {
-    double dx = 0;
-    double abs_dx = 0;
-    double dy = 0;
-    double abs_dy = 0;
+    Numbers mean;
+    Numbers mean_square;
 };
 
-template <class Numbers>
-KindMean mean_of_kind(const Numbers& descriptor, int outer_sides)
+Moments moments_of(const std::vector<float>& descriptors)
 {
-    KindMean mean;
+    Moments moments{Numbers(LocalFeatures::dimension), Numbers(LocalFeatures::dimension)};
+    const auto count = static_cast<double>(descriptors.size() / LocalFeatures::dimension);
+    for (std::size_t i = 0; i < descriptors.size(); ++i)
+    {
+        const double number = descriptors[i];
+        moments.mean[i % LocalFeatures::dimension] += number / count;
+        moments.mean_square[i % LocalFeatures::dimension] += number * number / count;
+    }
+    return moments;
+}
+
+/** Means over the sums of one kind of subregion (2 outer sides: corner, 1: edge, 0: inner): of dx, of
+ *  |dx|, of dy and of |dy|. */
+std::array<double, 4> means_of_kind(const Numbers& descriptor, int outer_sides)
+{
+    std::array<double, 4> sums{};
     int count = 0;
     for (std::size_t s = 0; s < 16; ++s)
     {
@@ -235,41 +237,84 @@ KindMean mean_of_kind(const Numbers& descriptor, int outer_sides)
         if (sides != outer_sides) continue;
         for (const std::size_t half : {0U, 2U})
         {
-            const std::size_t first = s * 8 + half;
-            mean.dx += descriptor[first];
-            mean.abs_dx += descriptor[first + 1];
-            mean.dy += descriptor[first + 4];
-            mean.abs_dy += descriptor[first + 5];
+            for (std::size_t k = 0; k < 4; ++k)
+                sums[k] += descriptor[s * 8 + half + k % 2 + k / 2 * 4];
             ++count;
         }
     }
-    return {mean.dx / count, mean.abs_dx / count, mean.dy / count, mean.abs_dy / count};
+    for (auto& sum : sums) sum /= count;
+    return sums;
 }
 
-class SurfDescriptorCentre : public SurfOnAffineImages
+class SurfStatistics : public SurfOnAffineImages
 {
+ protected:
+    static std::vector<float> descriptors()
+    {
+        std::vector<std::string> names{
+            "graf/img1.png", "graf/img3.png", "leuven/leuvenA.jpg", "leuven/leuvenB.jpg"};
+        for (int i = 1; i <= 6; ++i) names.push_back("churchill/img" + std::to_string(i) + ".jpg");
+        std::vector<float> all;
+        for (const auto& name : names)
+        {
+            const auto features = read_view(name).features;
+            all.insert(all.end(), features.descriptors.begin(), features.descriptors.end());
+        }
+        return all;
+    }
+
+    static void expect_near(const Numbers& measured,
+                            const std::vector<float>& stated,
+                            const std::string& name,
+                            double tolerance)
+    {
+        const Numbers expected(stated.begin(), stated.end());
+        for (int sides = 0; sides <= 2; ++sides)
+        {
+            const auto sums = means_of_kind(measured, sides);
+            const auto expected_sums = means_of_kind(expected, sides);
+            std::cout << name << ", " << sides << " outer sides:";
+            for (std::size_t k = 0; k < sums.size(); ++k)
+            {
+                std::cout << " " << sums[k];
+                EXPECT_NEAR(sums[k], expected_sums[k], tolerance) << k;
+            }
+            std::cout << "\n";
+        }
+        // Single numbers may differ more: dx is larger where dy points away from the x axis.
+        for (std::size_t i = 0; i < stated.size(); ++i)
+            EXPECT_NEAR(stated[i], measured[i], 0.03) << i;
+    }
 };
 
-TEST_F(SurfDescriptorCentre, IsTheMeanOfRealDescriptors)
+TEST_F(SurfStatistics, AreThoseOfRealDescriptors)
 {
-    std::vector<std::string> names{
-        "graf/img1.png", "graf/img3.png", "leuven/leuvenA.jpg", "leuven/leuvenB.jpg"};
-    for (int i = 1; i <= 6; ++i) names.push_back("churchill/img" + std::to_string(i) + ".jpg");
-    const auto measured = mean_descriptor(names);
-    const auto centre = fild::surf_descriptor_centre();
-    for (int sides = 0; sides <= 2; ++sides)
+    const auto measured = moments_of(descriptors());
+    expect_near(measured.mean, fild::surf_statistics().mean, "mean", 2e-3);
+}
+
+TEST_F(SurfStatistics, OfRootedDescriptorsAreThoseOfRealOnes)
+{
+    auto roots = descriptors();
+    for (auto descriptor = roots.begin(); descriptor != roots.end();
+         descriptor += LocalFeatures::dimension)
     {
-        const auto mean = mean_of_kind(measured, sides);
-        const auto expected = mean_of_kind(centre, sides);
-        std::cout << sides << " outer sides: dx " << mean.dx << " |dx| " << mean.abs_dx << " dy "
-                  << mean.dy << " |dy| " << mean.abs_dy << "\n";
-        EXPECT_NEAR(mean.dx, expected.dx, 1e-3);
-        EXPECT_NEAR(mean.abs_dx, expected.abs_dx, 1e-3);
-        EXPECT_NEAR(mean.dy, expected.dy, 2e-3);
-        EXPECT_NEAR(mean.abs_dy, expected.abs_dy, 1e-3);
+        const auto end = descriptor + LocalFeatures::dimension;
+        double sum = 0;
+        std::for_each(descriptor, end, [&](float number) { sum += std::abs(number); });
+        std::transform(descriptor,
+                       end,
+                       descriptor,
+                       [&](float number)
+                       { return std::copysign(std::sqrt(std::abs(number) / sum), number); });
     }
-    // Single components may differ more: dx is larger where dy points away from the x axis.
-    for (std::size_t i = 0; i < centre.size(); ++i) EXPECT_NEAR(centre[i], measured[i], 0.03) << i;
+    const auto measured = moments_of(roots);
+    Numbers deviation(LocalFeatures::dimension);
+    for (std::size_t i = 0; i < deviation.size(); ++i)
+        deviation[i] = std::sqrt(measured.mean_square[i] - measured.mean[i] * measured.mean[i]);
+    const auto stated = fild::rooted_surf_statistics();
+    expect_near(measured.mean, stated.mean, "rooted mean", 2e-3);
+    expect_near(deviation, stated.deviation, "rooted deviation", 2e-3);
 }
 
 }  // namespace

@@ -90,13 +90,13 @@ TEST(PairEvidence, OfAViewThatIsSeenAgainIsAllGood)
 {
     const auto query = scattered(1);
     const auto candidate = moved(query, 5, 0, 0);
-    const auto matches = first_matches(200, 30);
+    const auto matches = first_matches(200, 60);
     const auto values = fild::measure_evidence({query, candidate, matches, matches});
     EXPECT_NEAR(value(values, Evidence::inlier_share), 201.0 / 203, 1e-12);
     EXPECT_NEAR(value(values, Evidence::shape_share), 201.0 / 203, 1e-12);
     EXPECT_NEAR(value(values, Evidence::affine_share), 201.0 / 203, 1e-12);
     EXPECT_NEAR(value(values, Evidence::match_share), 201.0 / 403, 1e-12);
-    EXPECT_NEAR(value(values, Evidence::close_share), 1.0 / 203, 1e-12) << "30 bits are not close";
+    EXPECT_NEAR(value(values, Evidence::close_share), 1.0 / 203, 1e-12) << "60 bits are not close";
     EXPECT_GT(value(values, Evidence::confirmed_share), 0.95);
     EXPECT_GT(value(values, Evidence::overlap_share), 0.8);
 }

@@ -64,7 +64,7 @@ class Describer
     }
 
     SurfExtractor surf_{surf_options()};
-    CodeHasher hasher_{THashingOptions(), surf_descriptor_centre(), 1};
+    CodeHasher hasher_{THashingOptions(), surf_statistics(), 1};
 };
 
 inline KeptFrame kept(const Frame& frame, const Describer& describer)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cmath>
 #include <stdexcept>
 
 namespace
@@ -14,7 +15,8 @@ namespace
 using fild::testing::random_features;
 using fild::testing::with_noise;
 
-const std::vector<float> kNoCentre(fild::LocalFeatures::dimension, 0.0F);
+const std::vector<float> kZeros(fild::LocalFeatures::dimension, 0.0F);
+const std::vector<float> kOnes(fild::LocalFeatures::dimension, 1.0F);
 
 fild::CodeHasher hasher(int bits,
                         std::uint64_t seed = 1,
@@ -23,7 +25,7 @@ fild::CodeHasher hasher(int bits,
     fild::THashingOptions options;
     options.bits = bits;
     options.search = search;
-    return {options, kNoCentre, seed};
+    return {options, {kZeros, kOnes}, seed};
 }
 
 int distance(const fild::BinaryCodes& a, std::size_t i, const fild::BinaryCodes& b, std::size_t j)
@@ -31,6 +33,13 @@ int distance(const fild::BinaryCodes& a, std::size_t i, const fild::BinaryCodes&
     int bits = 0;
     for (int w = 0; w < a.words_per_code; ++w)
         bits += static_cast<int>(std::bitset<64>(a.code(i)[w] ^ b.code(j)[w]).count());
+    return bits;
+}
+
+int differing_bits(const fild::BinaryCodes& a, const fild::BinaryCodes& b)
+{
+    int bits = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) bits += distance(a, i, b, i);
     return bits;
 }
 
@@ -74,7 +83,7 @@ TEST(CodeHasher, HammingDistanceGrowsAsTheAngle)
     EXPECT_NEAR(far / 400, 128, 3);
 }
 
-TEST(CodeHasher, SubtractsTheCommonCentre)
+TEST(CodeHasher, SubtractsTheMean)
 {
     auto shifted = random_features(200, 4);
     std::vector<float> centre(fild::LocalFeatures::dimension, 0.0F);
@@ -82,11 +91,65 @@ TEST(CodeHasher, SubtractsTheCommonCentre)
     for (std::size_t i = 0; i < shifted.descriptors.size(); ++i)
         shifted.descriptors[i] += centre[i % centre.size()];
     const fild::THashingOptions options;
-    const auto plain = fild::CodeHasher(options, kNoCentre, 1).hash(random_features(200, 4), 1);
-    const auto centred = fild::CodeHasher(options, centre, 1).hash(shifted, 1);
-    int differing = 0;
-    for (std::size_t i = 0; i < plain.size(); ++i) differing += distance(plain, i, centred, i);
-    EXPECT_LT(differing, 5);  // rounding alone
+    const auto plain = hasher(256).hash(random_features(200, 4), 1);
+    const auto centred = fild::CodeHasher(options, {centre, kOnes}, 1).hash(shifted, 1);
+    EXPECT_LT(differing_bits(plain, centred), 5);  // rounding alone
+}
+
+TEST(CodeHasher, DividesByTheDeviation)
+{
+    auto stretched = random_features(200, 4);
+    auto deviation = kOnes;
+    for (std::size_t k = 0; k < deviation.size(); k += 2) deviation[k] = 4;
+    for (std::size_t i = 0; i < stretched.descriptors.size(); ++i)
+        stretched.descriptors[i] *= deviation[i % deviation.size()];
+    const fild::THashingOptions options;
+    const auto plain = hasher(256).hash(random_features(200, 4), 1);
+    const auto divided = fild::CodeHasher(options, {kZeros, deviation}, 1).hash(stretched, 1);
+    EXPECT_LT(differing_bits(plain, divided), 5);
+}
+
+// One number far larger than all others decides most bits, unless the roots are hashed.
+TEST(CodeHasher, RootedCodesListenToSmallNumbers)
+{
+    auto features = random_features(200, 4);
+    for (std::size_t i = 0; i < features.size(); ++i)
+        features.descriptors[i * fild::LocalFeatures::dimension] = 8;
+    auto negated = features;
+    for (auto& number : negated.descriptors)
+        if (number < 8) number = -number;
+    fild::THashingOptions options;
+    const auto differing = [&]
+    {
+        const fild::CodeHasher hasher(options, {kZeros, kOnes}, 1);
+        return differing_bits(hasher.hash(features, 1), hasher.hash(negated, 1));
+    };
+    const int plain = differing();
+    options.rooted = true;
+    EXPECT_GT(differing(), 2 * plain);
+}
+
+TEST(CodeHasher, RootsTheDescriptors)
+{
+    const auto features = random_features(200, 4);
+    auto roots = features;
+    for (auto& number : roots.descriptors)
+        number = std::copysign(std::sqrt(std::abs(number)), number);
+    fild::THashingOptions options;
+    options.rooted = true;
+    const auto rooted = fild::CodeHasher(options, {kZeros, kOnes}, 1).hash(features, 1);
+    EXPECT_LT(differing_bits(hasher(256).hash(roots, 1), rooted), 5);
+}
+
+TEST(CodeHasher, RootsAnEmptyDescriptor)
+{
+    fild::LocalFeatures features;
+    features.keypoints.resize(1);
+    features.descriptors = kZeros;
+    fild::THashingOptions options;
+    options.rooted = true;
+    const auto codes = fild::CodeHasher(options, {kZeros, kOnes}, 1).hash(features, 1);
+    EXPECT_EQ(codes.words, std::vector<std::uint64_t>(4, 0));
 }
 
 TEST(CodeHasher, RepeatsWithTheSeedAndWithAnyNumberOfThreads)
@@ -110,10 +173,12 @@ TEST(CodeHasher, FillsTheBucketsOfTheCoarseStep)
     EXPECT_LT(*highest, 256);
 }
 
-TEST(CodeHasher, RefusesACentreOfAnotherLength)
+TEST(CodeHasher, RefusesStatisticsOfAnotherLength)
 {
-    EXPECT_THROW(fild::CodeHasher(fild::THashingOptions(), std::vector<float>(64), 1),
-                 std::invalid_argument);
+    const std::vector<float> half(64, 1.0F);
+    const fild::THashingOptions options;
+    EXPECT_THROW(fild::CodeHasher(options, {half, kOnes}, 1), std::invalid_argument);
+    EXPECT_THROW(fild::CodeHasher(options, {kZeros, half}, 1), std::invalid_argument);
 }
 
 }  // namespace

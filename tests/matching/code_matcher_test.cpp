@@ -40,8 +40,9 @@ BinaryCodes codes_of(const std::vector<std::uint64_t>& words)
 
 BinaryCodes hash(const fild::LocalFeatures& features, fild::CodeSearch search)
 {
-    const std::vector<float> centre(fild::LocalFeatures::dimension, 0.0F);
-    return fild::CodeHasher(options_of(search), centre, 1).hash(features, 1);
+    const std::vector<float> zeros(fild::LocalFeatures::dimension, 0.0F);
+    const std::vector<float> ones(fild::LocalFeatures::dimension, 1.0F);
+    return fild::CodeHasher(options_of(search), {zeros, ones}, 1).hash(features, 1);
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> pairs(const std::vector<Match>& matches)

@@ -60,7 +60,7 @@ FrameFeatures FrameFeatureExtractor::extract(const Frame& frame, StageTimes& tim
 FrameHasher::FrameHasher(const TDetectorOptions& options)
     : num_threads_(options.runtime.num_threads),
       hasher_(options.hashing,
-              surf_descriptor_centre(),
+              options.hashing.rooted ? rooted_surf_statistics() : surf_statistics(),
               static_cast<std::uint64_t>(options.runtime.seed))
 {
 }

@@ -14,12 +14,15 @@ constexpr double kMaxAgainstChance = 12;
 constexpr double kMaxAgainstLookAlike = 10;
 constexpr double kInliersOfAnyModel = 6;
 constexpr double kLeastShare = 0.003;
+constexpr double kInliersThatSayNothing = 15;  // of a look-alike
+constexpr double kInliersThatSayAll = 55;
 
 /** +1 or -1: what a greater share says against a look-alike. */
 int sign_against_look_alike(Evidence kind)
 {
     switch (kind)
     {
+        case Evidence::shape_share:
         case Evidence::close_share:
         case Evidence::overlap_share:
         case Evidence::confirmed_share:
@@ -60,6 +63,13 @@ double log_likelihood_ratio(const EvidenceWeights& weights,
     }
     return sum;
 }
+
+/** How far shares among so many inliers can be trusted to tell a look-alike, 0 to 1. */
+double trust_in_shares(std::size_t inliers)
+{
+    const double beyond = static_cast<double>(inliers) - kInliersThatSayNothing;
+    return std::clamp(beyond / (kInliersThatSayAll - kInliersThatSayNothing), 0.0, 1.0);
+}
 }  // namespace
 
 void TSamePlaceOptions::describe(OptionVisitor& visitor)
@@ -80,12 +90,13 @@ SamePlaceModel::SamePlaceModel(const TSamePlaceOptions& options)
 
 PairOdds SamePlaceModel::odds(std::size_t inliers, const EvidenceValues& evidence) const
 {
-    return {std::clamp(log_likelihood_ratio(chance_, inliers, evidence),
-                       -kMaxAgainstChance,
-                       kMaxAgainstChance),
-            std::clamp(log_likelihood_ratio(look_alike_, inliers, evidence),
-                       -kMaxAgainstLookAlike,
-                       kMaxAgainstLookAlike)};
+    return {
+        std::clamp(log_likelihood_ratio(chance_, inliers, evidence),
+                   -kMaxAgainstChance,
+                   kMaxAgainstChance),
+        trust_in_shares(inliers) * std::clamp(log_likelihood_ratio(look_alike_, inliers, evidence),
+                                              -kMaxAgainstLookAlike,
+                                              kMaxAgainstLookAlike)};
 }
 
 }  // namespace fild

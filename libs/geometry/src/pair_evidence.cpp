@@ -24,7 +24,7 @@ constexpr double kMaxScale = 5;
 constexpr double kSearchOctaves = 0.7;
 constexpr std::size_t kMapPairs = 200;  // inliers that a LocalMap keeps, evenly chosen
 constexpr double kSmallestSizePx = 10;  // a keypoint that would be smaller is not expected
-constexpr double kCloseBits = 0.1;  // share of a code's bits
+constexpr double kCloseBits = 0.2;  // share of a code's bits
 constexpr double kSimilarBits = 0.235;
 
 double share(std::size_t part, std::size_t whole)

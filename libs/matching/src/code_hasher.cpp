@@ -7,9 +7,11 @@
 #include "processor_clones.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <random>
 #include <stdexcept>
+#include <string>
 
 namespace fild
 {
@@ -62,9 +64,11 @@ std::size_t panels_for(std::size_t projections)
     return (projections + kPanelWidth - 1) / kPanelWidth;
 }
 
-/** Independent normal numbers, drawn for one number of the descriptor after the other; the columns
- *  that fill up the last panel are zero. */
-std::vector<float> random_panels(std::size_t projections, std::uint64_t seed)
+/** Independent normal numbers, drawn for one number of the descriptor after the other and divided by
+ *  its deviation; the columns that fill up the last panel are zero. */
+std::vector<float> random_panels(std::size_t projections,
+                                 const std::vector<float>& deviation,
+                                 std::uint64_t seed)
 {
     std::vector<float> weights(panels_for(projections) * kPanelWidth * LocalFeatures::dimension, 0);
     std::mt19937_64 generator(seed);
@@ -73,26 +77,55 @@ std::vector<float> random_panels(std::size_t projections, std::uint64_t seed)
         {
             const auto row = s / kPanelWidth * LocalFeatures::dimension + i;
             weights[row * kPanelWidth + s % kPanelWidth] =
-                static_cast<float>(standard_normal(generator));
+                static_cast<float>(standard_normal(generator)) / deviation[i];
         }
     return weights;
+}
+
+const std::vector<float>& deviation_of(const DescriptorStatistics& typical)
+{
+    for (const auto* numbers : {&typical.mean, &typical.deviation})
+        if (numbers->size() != LocalFeatures::dimension)
+            throw std::invalid_argument("CodeHasher: statistics of " +
+                                        std::to_string(numbers->size()) + " numbers, not " +
+                                        std::to_string(LocalFeatures::dimension));
+    return typical.deviation;
+}
+
+/** Signed square roots of one descriptor's numbers, of unit norm. */
+void root(const float* descriptor, float* rooted)
+{
+    float sum = 0;
+    for (std::size_t i = 0; i < LocalFeatures::dimension; ++i)
+    {
+        rooted[i] = std::copysign(std::sqrt(std::abs(descriptor[i])), descriptor[i]);
+        sum += std::abs(descriptor[i]);
+    }
+    const float norm = sum > 0 ? std::sqrt(sum) : 1;
+    for (std::size_t i = 0; i < LocalFeatures::dimension; ++i) rooted[i] /= norm;
+}
+
+std::vector<float> rooted(const float* descriptors, std::size_t count)
+{
+    std::vector<float> roots(count * LocalFeatures::dimension);
+    for (std::size_t i = 0; i < roots.size(); i += LocalFeatures::dimension)
+        root(descriptors + i, roots.data() + i);
+    return roots;
 }
 }  // namespace
 
 CodeHasher::CodeHasher(const THashingOptions& options,
-                       const std::vector<float>& centre,
+                       const DescriptorStatistics& typical,
                        std::uint64_t seed)
-    : bits_(options.bits),
+    : rooted_(options.rooted),
+      bits_(options.bits),
       tables_(options.search == CodeSearch::cascade ? options.tables : 0),
       bucket_bits_(options.bucket_bits),
       projections_(static_cast<std::size_t>(bits_ + tables_ * bucket_bits_)),
-      weights_(random_panels(projections_, seed))
+      weights_(random_panels(projections_, deviation_of(typical), seed))
 {
     options.check();
-    if (centre.size() != LocalFeatures::dimension)
-        throw std::invalid_argument("CodeHasher: the centre has " + std::to_string(centre.size()) +
-                                    " numbers, not " + std::to_string(LocalFeatures::dimension));
-    project_all(centre.data(), 1, weights_, thresholds_);
+    project_all(typical.mean.data(), 1, weights_, thresholds_);
 }
 
 void CodeHasher::store(const float* projections, std::size_t feature, BinaryCodes& codes) const
@@ -123,8 +156,11 @@ BinaryCodes CodeHasher::hash(const LocalFeatures& features, int num_threads) con
     {
         const auto begin = task * kFeaturesPerTask;
         const auto count = std::min(kFeaturesPerTask, features.size() - begin);
+        const float* descriptors = features.descriptor(begin);
+        std::vector<float> roots;
+        if (rooted_) roots = rooted(descriptors, count);
         std::vector<float> projections;
-        project_all(features.descriptor(begin), count, weights_, projections);
+        project_all(rooted_ ? roots.data() : descriptors, count, weights_, projections);
         for (std::size_t i = 0; i < count; ++i)
             store(projections.data() + i * thresholds_.size(), begin + i, codes);
     };

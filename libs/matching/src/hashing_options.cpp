@@ -5,6 +5,7 @@ namespace fild
 {
 void THashingOptions::describe(OptionVisitor& visitor)
 {
+    visitor.flag("rooted", rooted);
     visitor.integer("bits", bits, 32, 1024);
     visitor.choice<CodeSearch>(
         "search",

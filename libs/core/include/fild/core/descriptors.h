@@ -42,6 +42,13 @@ struct LocalFeatures
     const float* descriptor(std::size_t i) const { return descriptors.data() + i * dimension; }
 };
 
+/** What is typical of local descriptors: LocalFeatures::dimension numbers each. */
+struct DescriptorStatistics
+{
+    std::vector<float> mean;
+    std::vector<float> deviation;
+};
+
 /** Position of a keypoint in its image, pixels. */
 struct PixelPosition
 {

@@ -9,7 +9,7 @@ namespace fild
 {
 /** The kinds of evidence that two frames show the same place, in the order of their columns in
  *  candidates.csv. Each is a share in (0, 1), smoothed as (count + 1) / (total + 3), so that small
- *  counts stay near a third. A match is close when its codes differ in at most a tenth of their
+ *  counts stay near a third. A match is close when its codes differ in at most a fifth of their
  *  bits. */
 enum class Evidence
 {

@@ -18,7 +18,9 @@ struct EvidenceWeights
 
 /** Section [same_place]: the probability that a pair of frames shows one place. The coefficients are
  *  fitted by tests/benchmark/fit_same_place.py to labelled runs. Each has a fixed sign, so that more of
- *  one kind of evidence never changes sides. */
+ *  one kind of evidence never changes sides. Against look-alikes, shape, close matches, overlap and
+ *  confirmed keypoints count as reasons for doubt: the more alike the two views are, the more of a
+ *  same place would match. */
 struct TSamePlaceOptions : Options
 {
     bool enabled = false;  ///< false: min_inliers (tau) alone decides, as in the paper
@@ -40,7 +42,8 @@ class SamePlaceModel
     explicit SamePlaceModel(const TSamePlaceOptions& options);
 
     /** The log-likelihood ratios are limited to +-12 (chance) and +-10 (look-alike): a fit to a few
-     *  thousand pairs supports no larger ones. */
+     *  thousand pairs supports no larger ones. Shares among a few inliers tell nothing of look-alikes:
+     *  that ratio counts from 15 inliers on, and in full from 55. */
     PairOdds odds(std::size_t inliers, const EvidenceValues& evidence) const;
 
     /** True when the pair alone reaches min_probability, with equal prior odds for all three
