@@ -246,7 +246,7 @@ void draw_legend(cv::Mat& picture, const MapContent& map, const std::string& tit
 {
     Legend legend(picture, map);
     legend.add_title(title);
-    legend.add_line(kOptimizedStyle, "optimised path, arrows as driven");
+    legend.add_line(kOptimizedStyle, "optimised path");
     if (!map.input.empty()) legend.add_line(kInputStyle, "before the loops");
     if (!map.ground_truth.empty()) legend.add_line(map.truth_style(), "ground truth");
     if (!map.cameras.empty()) legend.add_line(kCameraStyle, "camera");

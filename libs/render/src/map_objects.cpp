@@ -13,16 +13,20 @@ namespace
 constexpr int kRound = 16;  // corners of a spot that looks round
 constexpr int kSquare = 4;
 
-/** An arrow from a camera to where it looks. \return false, and adds none, when that is up or down. */
-bool add_level_arrow(ThinLines& lines, const RigidTransform& map_from_camera, double length)
+/** An arrow from a camera at `from` to where it looks.
+ *  \return false, and adds none, when that is up or down. */
+bool add_level_arrow(ThinLines& lines,
+                     const cv::Vec3d& from,
+                     const cv::Matx33d& map_from_camera,
+                     double length)
 {
-    const cv::Vec3d ahead(map_from_camera.rotation(0, 2), map_from_camera.rotation(1, 2), 0);
+    const cv::Vec3d ahead(map_from_camera(0, 2), map_from_camera(1, 2), 0);
     constexpr double kLeast = 0.1;
     if (cv::norm(ahead) < kLeast) return false;
     const auto along = cv::normalize(ahead);
     const cv::Vec3d aside(-along[1], along[0], 0);
-    const auto tip = map_from_camera.translation + length * along;
-    lines.add(map_from_camera.translation, tip);
+    const auto tip = from + length * along;
+    lines.add(from, tip);
     for (const double side : {-1.0, 1.0})
         lines.add(tip, tip - 0.3 * length * along + side * 0.2 * length * aside);
     return true;
@@ -181,7 +185,9 @@ void MapObjects::add_cameras()
         const double distance = width * camera.fx / camera.width;
         const auto corners = image_corners(camera, map_from_camera, distance);
         // A frustum from above looks like an arrowhead that points back.
-        if (!map_.is_flat || !add_level_arrow(frusta, map_from_camera, distance))
+        const auto above_grid = lifted(map_from_camera.translation, kCameraStyle);
+        if (!map_.is_flat ||
+            !add_level_arrow(frusta, above_grid, map_from_camera.rotation, distance))
             frusta.add_frustum(map_from_camera.translation, corners);
         if (!image.empty()) images.add(image, corners);
     }

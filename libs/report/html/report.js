@@ -401,7 +401,7 @@ function candidateCell(frame) {
     const isOpen = currentTarget.getAttribute('aria-expanded') === 'true';
     currentTarget.setAttribute('aria-expanded', String(!isOpen));
     if (isOpen) return row.nextElementSibling.remove();
-    row.after(element('tr', {class: 'picture'}, element('td', {class: 'wide', colspan: columns.length}, figureOf(run, frame))));
+    row.after(element('tr', {class: 'opened'}, element('td', {class: 'wide', colspan: columns.length}, figureOf(run, frame))));
   }}, String(candidate));
 }
 
