@@ -79,7 +79,7 @@ function fillTruth() {
     if (group) byId('all-metrics').append(element('h4', {}, group));
     const table = element('table', {class: 'metrics'}, ...tableOf(['number', 'value', 'meaning'], lines));
     table.querySelectorAll('tr > :last-child').forEach(cell => cell.className = 'text rule');
-    byId('all-metrics').append(table);
+    byId('all-metrics').append(element('div', {class: 'scroll', tabindex: 0}, table));
   }
   drawPrecisionRecall();
 }
@@ -420,7 +420,7 @@ function parseRanges(text) {
     isSingle: !known(last), first: Math.min(first, last ?? first), last: Math.max(first, last ?? first)})) : null;
 }
 
-const withCandidate = 'with a candidate';
+const withCandidate = run.truth ? 'with a candidate, or missed' : 'with a candidate';
 
 /** The frames that the filter lets through, as sorted; null when the range cannot be read. */
 function filteredFrames() {

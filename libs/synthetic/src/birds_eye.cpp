@@ -127,7 +127,7 @@ void draw_ends(cv::Mat& picture, const AirView& view, const std::vector<RouteLin
              {std::pair{cv::Scalar::all(255), 4 * unit}, std::pair{colour, 1.2 * unit}})
             cv::putText(picture,
                         is_start ? "start" : "end",
-                        at + cv::Point(cvRound(9 * unit), cvRound(4 * unit)),
+                        at + cv::Point(cvRound((is_start ? 9 : -34) * unit), cvRound(4 * unit)),
                         cv::FONT_HERSHEY_SIMPLEX,
                         0.45 * unit,
                         ink,
