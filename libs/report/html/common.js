@@ -309,9 +309,13 @@ const truthKinds = {
   right: {colour: '#009e73', symbol: 'circle', meaning: 'a loop closure that the ground truth confirms'},
   wrong: {colour: '#dc1414', symbol: 'diamond', meaning: 'a loop closure that the ground truth contradicts'},
   doubtful: {colour: '#8a6bc8', symbol: 'rect', meaning: 'a loop closure of which the ground truth cannot tell; it counts for nothing'},
-  missed: {colour: 'ink', symbol: 'emptyCircle', meaning: 'no loop closure, but the ground truth has one to find'},
+  missed: {colour: 'ink', symbol: 'circle', meaning: 'no loop closure, but the ground truth has one to find'},
 };
 const kindColour = kind => kind === 'missed' ? colour('ink') : truthKinds[kind].colour;
+
+/** A missed loop is hollow; ECharts fills its own hollow marks with white, also in the dark. */
+const markStyle = kind => kind === 'missed' ? {color: 'transparent', borderColor: kindColour(kind), borderWidth: 2}
+  : {color: kindColour(kind)};
 
 /** Of each loop query without a right loop closure: `place`, a frame that shows it, and `why`. */
 const missedLoops = run => run.missed ??= new Map(((run.truth || {}).missed || []).map(lost => [lost.frame, lost]));

@@ -251,7 +251,7 @@ function judgedSeries() {
   const at = bestTrajectory(run);
   const missed = framesOfKind(run, 'missed').filter(frame => known(at[frame]));
   if (!missed.length) return loops;
-  return [...loops, {name: 'missed loops', type: 'scatter', symbol: 'emptyCircle', symbolSize: 11, z: 4, color: kindColour('missed'),
+  return [...loops, {name: 'missed loops', type: 'scatter', symbol: 'circle', symbolSize: 11, z: 4, itemStyle: markStyle('missed'),
                      tooltip: {formatter: item => loopTooltip(item.data.frame)},
                      data: missed.map(frame => ({frame, value: at[frame].slice(0, 2)}))}];
 }
@@ -272,14 +272,14 @@ function endSeries() {
 function pointsOverFrames(column) {
   const all = run.frames[column].map((value, frame) => ({value: [frame, value], frame}))
     .filter(({value, frame}) => known(value[1]) && known(run.frames.candidate[frame]));
-  const series = (name, fill, symbol, wanted, symbolSize = 5) => ({
-    name, type: 'scatter', symbol, symbolSize, itemStyle: {color: fill}, data: all.filter(({frame}) => wanted(frame))});
+  const series = (name, itemStyle, symbol, wanted, symbolSize = 5) => ({
+    name, type: 'scatter', symbol, symbolSize, itemStyle, data: all.filter(({frame}) => wanted(frame))});
   const isAccepted = frame => verdictOf(run, frame) === 'accepted';
-  if (!run.truth) return [series('rejected', '#e69f00', 'triangle', frame => !isAccepted(frame)),
-                          series('accepted', colour('accent'), 'circle', isAccepted)];
+  if (!run.truth) return [series('rejected', {color: '#e69f00'}, 'triangle', frame => !isAccepted(frame)),
+                          series('accepted', {color: colour('accent')}, 'circle', isAccepted)];
   const kinds = Object.entries(truthKinds).map(([kind, {symbol}]) =>
-    series(kind, kindColour(kind), symbol, frame => kindOf(run, frame) === kind, kind === 'right' ? 5 : 8));
-  return [series('rightly rejected', colour('off'), 'triangle', frame => !kindOf(run, frame)), ...kinds.filter(({data}) => data.length)];
+    series(kind, markStyle(kind), symbol, frame => kindOf(run, frame) === kind, kind === 'right' ? 5 : 8));
+  return [series('rightly rejected', {color: colour('off')}, 'triangle', frame => !kindOf(run, frame)), ...kinds.filter(({data}) => data.length)];
 }
 
 /** From where on similarities are whitened, which makes them smaller: when so many frames are older
@@ -555,15 +555,15 @@ function paintSimilarities(matrix) {
  *  with. A missed loop stands where the truth has it. */
 function mirroredLoops() {
   const size = run.loops.length > 100 ? 4 : 7;
-  const series = (name, fill, symbol, symbolSize, pairs) => ({
-    type: 'scatter', name: name + ' (mirrored)', symbol, symbolSize, z: 3, itemStyle: {color: fill},
+  const series = (name, itemStyle, symbol, symbolSize, pairs) => ({
+    type: 'scatter', name: name + ' (mirrored)', symbol, symbolSize, z: 3, itemStyle,
     data: pairs.map(([query, place]) => ({value: [query, place], query}))});
   const pairOf = query => [query, run.frames.candidate[query]];
-  if (!run.truth) return [series('accepted loop closures', colour('accent'), 'circle', size, run.loops.map(loop => pairOf(loop.query)))];
+  if (!run.truth) return [series('accepted loop closures', {color: colour('accent')}, 'circle', size, run.loops.map(loop => pairOf(loop.query)))];
   const pairsOf = kind => framesOfKind(run, kind).map(query =>
     kind === 'missed' ? [query, missedLoops(run).get(query).place] : pairOf(query)).filter(([, place]) => known(place));
   return Object.entries(truthKinds).map(([kind, {symbol}]) =>
-    series(kind, kindColour(kind), symbol, kind === 'right' ? size : size + 3, pairsOf(kind))).filter(({data}) => data.length);
+    series(kind, markStyle(kind), symbol, kind === 'right' ? size : size + 3, pairsOf(kind))).filter(({data}) => data.length);
 }
 
 async function drawMatrix() {

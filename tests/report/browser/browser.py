@@ -3,6 +3,7 @@
 
 import base64
 import json
+import time
 
 from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
@@ -109,8 +110,15 @@ class Browser:
         self.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", panel)
         x, y, before = self.run("const box = arguments[0].getBoundingClientRect();"
                                 "return [box.x + box.width / 2, box.y + box.height / 2, window.scrollY]", panel)
-        self.driver.execute_cdp_cmd("Input.synthesizeScrollGesture", {
-            "x": x, "y": y, "yDistance": -pixels, "gestureSourceType": "touch", "speed": 1000})
+        touch = lambda kind, points: self.driver.execute_cdp_cmd(
+            "Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        self.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
+        touch("touchStart", [{"x": x, "y": y}])
+        for step in range(1, 11):
+            touch("touchMove", [{"x": x, "y": y - pixels * step / 10}])
+        touch("touchEnd", [])
+        time.sleep(1)  # the page follows in its own time, if it does
+        self.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
         return self.run("return window.scrollY") - before
 
     def screenshot(self, path):

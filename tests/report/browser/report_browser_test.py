@@ -186,6 +186,8 @@ class Report(PageTest):
     def test_a_finger_scrolls_the_page_over_the_map(self):
         self.browser.open(self.page, PHONE)
         self.assertGreater(self.browser.swipe_up("#map-chart"), 100)
+        self.browser.press("#map .zoom button[title='zoom in']")
+        self.assertEqual(self.browser.swipe_up("#map-chart"), 0, "a zoomed map moves instead")
 
     def map_extent(self):
         return self.browser.run("return echarts.getInstanceByDom(byId('map-chart')).convertFromPixel('grid', [100, 100])")
