@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 namespace fild
 {
@@ -70,6 +71,14 @@ TruePoses load_poses(const std::string& file,
                      const std::vector<FrameVerdict>& frames)
 {
     return is_rawlog(file) ? poses_in_rawlog(file, sensor, frames) : load_true_poses(file, frames);
+}
+
+std::optional<TruePoses> true_poses_for(const TruthOptions& options,
+                                        GroundTruth& truth,
+                                        const std::vector<FrameVerdict>& frames)
+{
+    if (options.trajectory.empty()) return std::move(truth.poses);
+    return load_poses(options.trajectory, options.sensor, frames);
 }
 
 GroundTruth load_truth(const TruthOptions& options, const std::vector<FrameVerdict>& frames)

@@ -17,6 +17,7 @@ struct TruthOptions
     std::string file;
     std::string sensor;  ///< of a rawlog; empty: its only one
     Protocol protocol;
+    std::string trajectory;  ///< file of true poses beside labels; empty: none
     bool min_age_is_given = false;  ///< by the user; else it is the delay of the run
 };
 
@@ -40,6 +41,12 @@ GroundTruth load_truth(const TruthOptions& options, const std::vector<FrameVerdi
 TruePoses load_poses(const std::string& file,
                      const std::string& sensor,
                      const std::vector<FrameVerdict>& frames);
+
+/** True poses that trajectories can be compared with: those of `options.trajectory`, else of the
+ *  ground truth itself, else none. \param truth  of `options.file`; its poses are moved out. */
+std::optional<TruePoses> true_poses_for(const TruthOptions& options,
+                                        GroundTruth& truth,
+                                        const std::vector<FrameVerdict>& frames);
 
 bool is_rawlog(const std::string& file);
 

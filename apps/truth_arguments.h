@@ -21,6 +21,13 @@ struct TruthArguments
                    "",
                    "PROTOCOL",
                    command),
+          trajectory("",
+                     "true-trajectory",
+                     "True poses for ATE and RPE, when the ground truth is labels",
+                     false,
+                     "",
+                     "FILE",
+                     command),
           sensor("",
                  "truth-sensor",
                  "Of a rawlog: label of the sensor whose poses are the truth",
@@ -48,14 +55,17 @@ struct TruthArguments
         if (file.isSet())
             return TruthOptions{file.getValue(),
                                 sensor.getValue(),
-                                protocol_for(file.getValue(), protocol.getValue())};
-        if (protocol.isSet() || sensor.isSet())
-            throw WrongUsage("--protocol and --truth-sensor belong to --ground-truth");
+                                protocol_for(file.getValue(), protocol.getValue()),
+                                trajectory.getValue()};
+        if (protocol.isSet() || sensor.isSet() || trajectory.isSet())
+            throw WrongUsage(
+                "--protocol, --truth-sensor and --true-trajectory belong to --ground-truth");
         return std::nullopt;
     }
 
     using Text = TCLAP::ValueArg<std::string>;
     Text protocol;
+    Text trajectory;
     Text sensor;
     Text file;
 };

@@ -47,8 +47,8 @@ fi
 if [ -n "$input" ]; then
   find_loops
 else
-  find_loops "$output/town.gt.tum" radius:5
-  for protocol in exact window:10; do score "$output/town.loops.txt" "$protocol"; done
+  find_loops "$output/town.loops.txt" exact "$output/town.gt.tum"
+  for protocol in exact window:10; do score "$output/town.loops.txt" "$protocol" > /dev/null; done
 fi
 say_where_results_are
 [ -n "$input" ] || echo "  town.png      the town and the route from the air"

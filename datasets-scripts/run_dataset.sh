@@ -137,8 +137,8 @@ convert() {
   run_app images-to-rawlog --output "$rawlog" "$@"
 }
 
-# find_loops [TRUTH PROTOCOL]: the main job on $rawlog with $config, and with $images_dir instead of the usual
-# one if that is set; TRUTH goes into its report. The scores of an earlier run go, as its results do.
+# find_loops [TRUTH PROTOCOL [TRAJECTORY]]: the main job on $rawlog with $config, and with $images_dir instead of the
+# usual one if that is set; TRUTH, and true poses beside labels, go into its report. The scores of an earlier run go, as its results do.
 images_dir=
 find_loops() {
   rm -f "$output"/evaluation/*/{evaluation.{json,tex},precision_recall.svg} \
@@ -146,7 +146,7 @@ find_loops() {
   [ ! -d "$output/evaluation" ] || find "$output/evaluation" -depth -type d -empty -delete
   run_app rawlog-loop-closure --rawlog "$rawlog" --config "$config" --output "$output" \
     ${images_dir:+--set "input.images_dir=$images_dir"} \
-    ${1:+--ground-truth "$1" --protocol "$2"}
+    ${1:+--ground-truth "$1" --protocol "$2"} ${3:+--true-trajectory "$3"}
 }
 
 # score TRUTH PROTOCOL [ARGUMENT]...: prints the score, and writes it into $output/evaluation/.
@@ -169,16 +169,17 @@ score_labels() {
 }
 
 say_where_results_are() {
+  echo
+  echo "Results are in $output:"
+  echo "  report.html   all of it to look at, in a browser"
+  [ ! -f "$output/map_top.png" ] ||
+    echo "  map_top.png   the map; map_perspective.png and map.3Dscene, for SceneViewer3D"
   cat << EOF
-
-Results are in $output:
-  report.html   all of it to look at, in a browser
-  map_top.png   the map, where there is one; map_perspective.png and map.3Dscene, for SceneViewer3D
   frames.csv    every camera frame with its verdict and the reason
   loops.csv     the loop closures, with metric pose and weight where there is scale
   matches/      pictures of them
   summary.json  counts, options, times, versions
 EOF
   [ ! -d "$output/evaluation" ] ||
-    echo "  evaluation/   the scores above, with the wrong loops"
+    echo "  evaluation/   the scores by each protocol, with curves, tables and the wrong loops"
 }

@@ -74,13 +74,6 @@ struct Arguments
         "", "step", "RPE over steps of so many metres (10 and 100)", false, "METRES", command};
     TCLAP::SwitchArg align_scale{
         "", "align-scale", "Scale trajectories to the truth: they know no metres", command};
-    Text true_trajectory{"",
-                         "true-trajectory",
-                         "True poses for ATE and RPE, when the ground truth is labels",
-                         false,
-                         "",
-                         "FILE",
-                         command};
     Texts trajectory{"",
                      "trajectory",
                      "TUM trajectory to be compared, instead of the run's own",
@@ -140,7 +133,7 @@ void check(const Arguments& a, const EvalOptions& options)
         refuse_beside(
             "run", a.config, a.overrides, a.swept, a.changes, a.seeds, a.max_frames, a.jobs);
     else
-        refuse_beside("rawlog", a.trajectory, a.true_trajectory, a.align_scale, a.step);
+        refuse_beside("rawlog", a.trajectory, a.truth.trajectory, a.align_scale, a.step);
     if (a.swept.isSet()) refuse_beside("sweep", a.changes);
     if (a.rawlog.isSet() && !a.config.isSet()) throw WrongUsage("--rawlog needs --config");
     check_protocol(a, options.truth.protocol);
@@ -149,7 +142,7 @@ void check(const Arguments& a, const EvalOptions& options)
     if (!options.trajectories.empty() && options.runs.size() > 1)
         throw WrongUsage("--trajectory is for one --run");
     if (a.truth.sensor.isSet() && !is_rawlog(options.truth.file) &&
-        !is_rawlog(options.true_trajectory))
+        !is_rawlog(options.truth.trajectory))
         throw WrongUsage("--truth-sensor is for a rawlog as ground truth");
 }
 
@@ -191,7 +184,6 @@ std::optional<EvalOptions> parse_eval_options(int argc, char** argv)
     options.truth.protocol.min_age_seconds = arguments.age.getValue();
     options.truth.min_age_is_given = arguments.age.isSet();
     options.trajectories = arguments.trajectory.getValue();
-    options.true_trajectory = arguments.true_trajectory.getValue();
     options.trajectory_error.align_scale = arguments.align_scale.getValue();
     if (arguments.step.isSet()) options.trajectory_error.step_lengths = arguments.step.getValue();
     options.output = arguments.output.getValue();

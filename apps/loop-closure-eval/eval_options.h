@@ -17,7 +17,6 @@ struct EvalOptions
     std::vector<std::string> runs;  ///< at least one, unless there is a sweep
     TruthOptions truth;
     std::vector<std::string> trajectories;  ///< instead of those in the run's folder
-    std::string true_trajectory;  ///< empty: the ground truth, if it is made of poses
     TrajectoryErrorOptions trajectory_error;
     std::optional<SweepRequest> sweep;  ///< instead of `runs`
     std::string output;  ///< empty: nothing is written

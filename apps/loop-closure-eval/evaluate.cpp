@@ -14,16 +14,6 @@ namespace fild
 {
 namespace
 {
-/** True poses to compare trajectories with, if there are any. */
-std::optional<TruePoses> load_trajectory_truth(const EvalOptions& options,
-                                               std::optional<TruePoses> of_ground_truth,
-                                               const std::vector<FrameVerdict>& frames)
-{
-    const auto& path = options.true_trajectory;
-    if (path.empty()) return of_ground_truth;
-    return load_poses(path, options.truth.sensor, frames);
-}
-
 void take_trajectories(const std::vector<std::string>& paths, RunResults& run)
 {
     if (paths.empty()) return;
@@ -76,7 +66,7 @@ EvaluationReport evaluate(const EvalOptions& options)
     const auto& frames = runs.front().frames;
     const auto truth = for_run(options.truth, longest_delay(options.runs));
     auto ground_truth = load_truth(truth, frames);
-    const auto true_poses = load_trajectory_truth(options, std::move(ground_truth.poses), frames);
+    const auto true_poses = true_poses_for(truth, ground_truth, frames);
     if (!true_poses && !options.trajectories.empty())
         throw WrongUsage(
             "--trajectory needs --true-trajectory: the ground truth is "

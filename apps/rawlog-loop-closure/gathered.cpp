@@ -5,11 +5,20 @@
 
 namespace fild
 {
+namespace
+{
+/** See FrameVerdict::support. */
+double support_threshold(const TDetectorOptions& detector)
+{
+    return detector.same_place.enabled ? detector.same_place.min_probability : 1;
+}
+}  // namespace
+
 Gathered::Gathered(const OutputFolder& folder, const TRunOptions& options)
     : frames(folder.file("frames.csv")),
       candidates(folder.file("candidates.csv")),
       costs(folder.file("costs.csv")),
-      pictures(options.render, options.report),
+      pictures(options.render, options.report, support_threshold(options.stream.detector)),
       folder_(folder)
 {
     if (options.report.similarity_frames > 0)

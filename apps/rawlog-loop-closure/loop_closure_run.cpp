@@ -20,6 +20,7 @@
 #include <iomanip>
 #include <iostream>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace fild
@@ -109,24 +110,32 @@ void print_result(const RunSummary& summary,
               << " loop closures, in " << output << "\n";
     for (const auto& [rejection, count] : summary.frames_by_rejection)
         if (rejection != Rejection::none)
-            std::cout << "  " << to_word(rejection) << ": " << count << "\n";
+            std::cout << "  " << to_word(rejection) << ": " << count << " ("
+                      << meaning_of(rejection) << ")\n";
     if (summary.map.nodes > 0)
         std::cout << "map: " << summary.map.nodes << " keyframes, " << summary.map.loop_edges
                   << " loop edges\n";
 }
 
-/** In one line: the rest is in the report. */
-void print_evaluation(const RunEvaluation& evaluation)
+/** The protocol's own words, then the score, then where the single loops are: the rest is in the
+ *  report. */
+void print_evaluation(const ReportTruth& truth, const std::string& output)
 {
-    std::cout << std::fixed << std::setprecision(3)
-              << "against the ground truth: " << evaluation.score.wrong_loops.size()
-              << " wrong loops";
-    if (const auto precision = evaluation.score.precision())
-        std::cout << ", precision " << *precision;
-    if (const auto recall = evaluation.score.recall()) std::cout << ", recall " << *recall;
+    const auto& [protocol, evaluation] = std::tie(truth.description.protocol, truth.evaluation);
+    const auto& score = evaluation.score;
+    std::cout << std::fixed << std::setprecision(3) << "against the ground truth ("
+              << to_word(protocol) << "): " << score.right << " right, " << score.wrong_loops.size()
+              << " wrong, " << score.neither << " doubtful, " << score.missed() << " missed";
+    if (const auto precision = score.precision()) std::cout << ", precision " << *precision;
+    if (const auto recall = score.recall()) std::cout << ", recall " << *recall;
     for (const auto& [name, error] : evaluation.trajectories)
         std::cout << ", ATE of trajectory_" << name << " " << error.ate_rmse << " m";
     std::cout << "\n";
+    if (!score.wrong_loops.empty())
+        std::cout << "  wrong loops, with their pictures: " << output << "/wrong_loops.csv\n";
+    if (score.missed() > 0 && evaluation.candidates)
+        std::cout << "  missed loops, with the stage that lost them: " << output
+                  << "/missed_loops.csv\n";
 }
 
 /** Said before the long work begins, not after it. */
@@ -168,7 +177,7 @@ void run_loop_closure(RunRequest request)
                    [&]
                    {
                        print_result(summary, stream.frames().first_missing_image(), request.output);
-                       if (output.truth()) print_evaluation(output.truth()->evaluation);
+                       if (output.truth()) print_evaluation(*output.truth(), request.output);
                        require_printed();
                    });
     output.write_summary_and_report(start);
@@ -176,6 +185,8 @@ void run_loop_closure(RunRequest request)
         throw std::runtime_error(summary.ended_early + "; the results of the " +
                                  std::to_string(summary.camera_frames) + " frames before are in " +
                                  request.output);
+    if (options.report.write_html)
+        std::cout << "look at " << request.output << "/report.html in a browser\n";
 }
 
 }  // namespace fild

@@ -60,6 +60,19 @@ DrawnMap to_drawn_map(const Map& map,
     return drawn;
 }
 
+void add_judgements(DrawnMap& drawn, const std::vector<JudgedFrame>& frames)
+{
+    const auto truth_of = [](const JudgedFrame& frame)
+    {
+        if (frame.judgement == Judgement::right) return LoopTruthMark::right;
+        return frame.judgement == Judgement::wrong ? LoopTruthMark::wrong : LoopTruthMark::doubtful;
+    };
+    for (auto& loop : drawn.loops) loop.truth = truth_of(frames.at(to_index(loop.query)));
+    for (const auto& frame : frames)
+        if (frame.loop_query && !frame.verdict.accepted())
+            drawn.missed.push_back(frame.verdict.frame);
+}
+
 std::vector<DrawnCamera> cameras_of(const Map& map,
                                     const LoopDetector& detector,
                                     const TRenderOptions& options,

@@ -4,6 +4,7 @@
 #include "fild/core/verdict.h"
 #include "fild/detector/loop_detector.h"
 #include "fild/evaluation/frame_poses.h"
+#include "fild/evaluation/judged_frame.h"
 #include "fild/mapping/map_builder.h"
 #include "fild/rawlog/input_options.h"
 #include "fild/render/map_scene.h"
@@ -20,6 +21,9 @@ namespace fild
 DrawnMap to_drawn_map(const Map& map,
                       const std::vector<FrameVerdict>& verdicts,
                       const TRenderOptions& options);
+
+/** Marks the loops as right, wrong or doubtful, and adds the frames that are missed. */
+void add_judgements(DrawnMap& drawn, const std::vector<JudgedFrame>& frames);
 
 /** The cameras of keyframes as [render] chooses them; those that are not calibrated are left out.
  *  Their images come from a second pass over the rawlog.

@@ -119,7 +119,8 @@ class Drawing
                           pair.verdict,
                           pair.candidate_timestamp,
                           pair.inliers,
-                          pair.rejected}});
+                          pair.rejected,
+                          pair.support_threshold}});
         if (next_.size() == kBatch) draw_next();
     }
 
@@ -194,9 +195,12 @@ CameraPair cameras_of(const LoopEdge& loop, const MetricView& query, const Metri
 }
 }  // namespace
 
-PairsToDraw::PairsToDraw(TRenderOptions render, const TReportOptions& report)
+PairsToDraw::PairsToDraw(TRenderOptions render,
+                         const TReportOptions& report,
+                         double support_threshold)
     : render_(std::move(render)),
-      max_rejected_(static_cast<std::size_t>(report.max_rejected_pictures))
+      max_rejected_(static_cast<std::size_t>(report.max_rejected_pictures)),
+      support_threshold_(support_threshold)
 {
 }
 
@@ -213,6 +217,7 @@ LoopPicture PairsToDraw::to_loop_picture(const DetectorOutcome& outcome,
                                          double candidate_timestamp) const
 {
     LoopPicture loop{outcome.verdict, candidate_timestamp, {}};
+    loop.support_threshold = support_threshold_;
     auto inlier = outcome.inliers.begin();
     for (std::size_t k = 0; k < outcome.matches.size(); ++k)
     {
@@ -238,13 +243,33 @@ void PairsToDraw::add_rejected(const DetectorOutcome& outcome, double candidate_
     if (rejected_.size() > max_rejected_) rejected_.pop_back();
 }
 
-std::vector<LoopPicture> PairsToDraw::chosen() const
+std::vector<std::size_t> PairsToDraw::chosen_closures(const std::set<FrameId>& wrong) const
 {
-    std::vector<FrameVerdict> verdicts;
-    verdicts.reserve(closures_.size());
-    for (const auto& loop : closures_) verdicts.push_back(loop.verdict);
+    std::vector<FrameVerdict> wrong_verdicts;
+    std::vector<FrameVerdict> other_verdicts;
+    std::vector<std::size_t> wrong_closures;
+    std::vector<std::size_t> other_closures;
+    for (std::size_t i = 0; i < closures_.size(); ++i)
+    {
+        const auto& verdict = closures_[i].verdict;
+        const bool is_wrong = wrong.count(verdict.frame) != 0;
+        (is_wrong ? wrong_verdicts : other_verdicts).push_back(verdict);
+        (is_wrong ? wrong_closures : other_closures).push_back(i);
+    }
+    auto render = render_;
+    std::vector<std::size_t> chosen;
+    for (const auto i : choose_match_pictures(wrong_verdicts, render))
+        chosen.push_back(wrong_closures[i]);
+    render.max_match_pictures -= static_cast<int>(chosen.size());
+    for (const auto i : choose_match_pictures(other_verdicts, render))
+        chosen.push_back(other_closures[i]);
+    return chosen;
+}
+
+std::vector<LoopPicture> PairsToDraw::chosen(const std::set<FrameId>& wrong) const
+{
     auto pairs = rejected_;
-    for (const auto i : choose_match_pictures(verdicts, render_)) pairs.push_back(closures_[i]);
+    for (const auto i : chosen_closures(wrong)) pairs.push_back(closures_[i]);
     std::sort(pairs.begin(),
               pairs.end(),
               [](const auto& a, const auto& b) { return a.verdict.frame < b.verdict.frame; });

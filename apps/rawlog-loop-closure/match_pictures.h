@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct LoopPicture
     std::vector<PixelPair> inliers;
     std::vector<PixelPair> rejected{};  ///< the other matches, where they are drawn
     std::optional<CameraPair> cameras{};  ///< for a picture in 3D as well
+    double support_threshold = 1;  ///< of an accepted frame
 };
 
 /** Chooses of which pairs of a run pictures are drawn: loop closures as [render] says, and of the
@@ -32,21 +34,24 @@ struct LoopPicture
 class PairsToDraw
 {
  public:
-    /** With no pictures of loop closures there are none of rejected pairs either. */
-    PairsToDraw(TRenderOptions render, const TReportOptions& report);
+    /** With no pictures of loop closures there are none of rejected pairs either.
+     *  \param support_threshold  support from which frames are accepted: for captions. */
+    PairsToDraw(TRenderOptions render, const TReportOptions& report, double support_threshold);
 
     /** \param outcome  with a candidate. */
     void add(const DetectorOutcome& outcome, double candidate_timestamp);
 
-    /** In order of their queries. */
-    std::vector<LoopPicture> chosen() const;
+    /** In order of their queries. \param wrong  loop closures that come before all others. */
+    std::vector<LoopPicture> chosen(const std::set<FrameId>& wrong = {}) const;
 
  private:
     LoopPicture to_loop_picture(const DetectorOutcome& outcome, double candidate_timestamp) const;
+    std::vector<std::size_t> chosen_closures(const std::set<FrameId>& wrong) const;
     void add_rejected(const DetectorOutcome& outcome, double candidate_timestamp);
 
     TRenderOptions render_;
     std::size_t max_rejected_;
+    double support_threshold_;
     std::vector<LoopPicture> closures_;
     std::vector<LoopPicture> rejected_;  ///< most support first
 };

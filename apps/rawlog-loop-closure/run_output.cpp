@@ -3,6 +3,7 @@
 
 #include "error_line.h"
 #include "fild/features/model_file.h"
+#include "fild/report/evaluation_report.h"
 #include "fild/report/process_memory.h"
 #include "interruption.h"
 #include "judged_run.h"
@@ -13,11 +14,26 @@
 #include <mrpt/system/os.h>
 #include <opencv2/core/utility.hpp>
 
+#include <array>
+#include <ctime>
 #include <filesystem>
 #include <utility>
 
 namespace fild
 {
+namespace
+{
+std::string utc_now()
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm date{};
+    gmtime_r(&now, &date);
+    std::array<char, 40> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S UTC", &date);
+    return text.data();
+}
+}  // namespace
+
 RunOutput::RunOutput(const RunRequest& request,
                      const OutputFolder& folder,
                      const LoopClosureStream& stream,
@@ -46,6 +62,7 @@ void RunOutput::write_results(const MapBuilder& builder)
     attempt("no more map pictures", [&] { draw_map(); });
     attempt("no matrix of similarities", [&] { write_similarities(); });
     attempt("no more match pictures", [&] { draw_matches(); });
+    attempt("no lists of wrong and missed loops", [&] { list_wrong_and_missed(); });
     count_depth_defects();
 }
 
@@ -105,6 +122,16 @@ void RunOutput::judge()
     truth_ = judge_run(request_.output, *request_.truth, delay_seconds);
 }
 
+/** After the pictures, which the lists name. */
+void RunOutput::list_wrong_and_missed()
+{
+    for (const auto* name : {"wrong_loops.csv", "missed_loops.csv"})
+        std::filesystem::remove(folder_.file(name));
+    if (truth_)
+        write_wrong_and_missed_loops({truth_->description, {}, {truth_->evaluation}},
+                                     request_.output);
+}
+
 /** Without a pose there is nothing to draw: write_map_files() has said so. */
 void RunOutput::draw_map()
 {
@@ -116,8 +143,18 @@ void RunOutput::draw_map()
     auto drawn = to_drawn_map(*map_, gathered_.verdicts, render);
     drawn.cameras =
         cameras_of(*map_, stream_.detector(), render, options_.stream.input, request_.rawlog);
+    if (truth_) add_judgements(drawn, truth_->evaluation.frames);
     if (truth_ && !truth_->poses.empty()) drawn.ground_truth = true_way_over(*map_, truth_->poses);
     write_map_pictures(drawn, render, folder_);
+}
+
+std::set<FrameId> RunOutput::wrong_frames() const
+{
+    std::set<FrameId> frames;
+    if (truth_)
+        for (const auto& wrong : truth_->evaluation.score.wrong_loops)
+            frames.insert(wrong.verdict.frame);
+    return frames;
 }
 
 void RunOutput::write_similarities()
@@ -132,7 +169,7 @@ void RunOutput::write_similarities()
 void RunOutput::draw_matches()
 {
     const StageTimer timer(times_, "match_pictures");
-    auto pairs = gathered_.pictures.chosen();
+    auto pairs = gathered_.pictures.chosen(wrong_frames());
     if (map_ && options_.render.match_pictures_3d) add_cameras(pairs, *map_, stream_.detector());
     const DrawnRawlog rawlog{
         request_.rawlog, options_.stream.input, options_.stream.detector.runtime.num_threads};
@@ -173,6 +210,7 @@ void RunOutput::complete_summary(std::chrono::steady_clock::time_point start)
     summary_.map_bytes = stream_.detector().map_bytes();
     summary_.peak_memory_bytes = peak_memory_bytes();
     summary_.stage_times = times_.statistics();
+    summary_.finished = utc_now();
     summary_.wall_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

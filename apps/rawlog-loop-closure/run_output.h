@@ -12,6 +12,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace fild
@@ -46,6 +47,8 @@ class RunOutput
     void write_map_files();
     void judge();
     void draw_map();
+    void list_wrong_and_missed();
+    std::set<FrameId> wrong_frames() const;
     void draw_matches();
     void write_similarities();
     void count_depth_defects();

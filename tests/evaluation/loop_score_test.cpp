@@ -37,6 +37,21 @@ TEST(ScoreLoops, CountsByHand)
     EXPECT_TRUE(score.wrong_loops[1].loop_query);
 }
 
+// 8 is answered wrongly, 9 not at all; both have several true places.
+TEST(JudgeFrames, KnowsWhereAMissedLoopIs)
+{
+    auto frames = frames_at_one_hertz(10);
+    accept(frames, 7, 1);
+    accept(frames, 8, 6);
+    const fild::LabelTruth truth(fild::to_loop_labels({{7, 1}, {8, 1}, {8, 2}, {8, 3}, {9, 4}}, 10),
+                                 0);
+    const auto judged = fild::judge_frames(frames, truth);
+    EXPECT_FALSE(judged[6].true_candidate) << "no loop query";
+    EXPECT_FALSE(judged[7].true_candidate) << "found";
+    EXPECT_EQ(judged[8].true_candidate, fild::FrameId{2});
+    EXPECT_EQ(judged[9].true_candidate, fild::FrameId{4});
+}
+
 TEST(ScoreLoops, HasNoPrecisionWithoutLoopClosures)
 {
     const fild::LabelTruth truth(fild::to_loop_labels({{6, 0}}, 10), 0);

@@ -234,6 +234,34 @@ TEST_F(RawlogLoopClosure, ReportsTheRun)
     EXPECT_FALSE(fs::exists(path("out/similarity.png")));
 }
 
+TEST_F(RawlogLoopClosure, ListsWrongAndMissedLoops)
+{
+    write_rawlog(two_laps());
+    // Frame i shows what frame i - 8 shows; the labels say otherwise of 15, and that 3 came back.
+    std::string labels = "3 0\n15 0\n";
+    for (int i = 8; i < 15; ++i) labels += std::to_string(i) + " " + std::to_string(i - 8) + "\n";
+    write_text(path("loops.txt"), labels);
+    const auto finished =
+        run("--ground-truth '" + path("loops.txt") + "' --set render.max_match_pictures=1");
+    ASSERT_EQ(finished.exit_code, 0) << finished.out;
+    EXPECT_THAT(read_text(path("out/wrong_loops.csv")),
+                AllOf(HasSubstr("run,frame,candidate,"),
+                      HasSubstr("\n1,15,7,"),
+                      HasSubstr("matches/15_7.jpg\n")))
+        << "its picture is drawn first";
+    EXPECT_THAT(lines_of(read_text(path("out/missed_loops.csv"))),
+                ::testing::Contains("1,3,too_early"));
+    EXPECT_THAT(finished.out,
+                AllOf(HasSubstr("against the ground truth (exact): "),
+                      HasSubstr(path("out/wrong_loops.csv")),
+                      HasSubstr(path("out/missed_loops.csv")),
+                      HasSubstr("look at " + path("out") + "/report.html"),
+                      HasSubstr("too_early: ")));
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_FALSE(fs::exists(path("out/wrong_loops.csv"))) << "those of the run before are removed";
+    EXPECT_FALSE(fs::exists(path("out/missed_loops.csv")));
+}
+
 TEST_F(RawlogLoopClosure, DrawsTheStrongestRejectedPairs)
 {
     write_rawlog(two_laps());

@@ -9,10 +9,13 @@
 #include <mrpt/poses/CPose3D.h>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -79,6 +82,20 @@ std::array<MapPicture, 2> both_pictures(const DrawnMap& map)
 {
     const MapScene scene(map, {});
     return {scene.draw_from_above(), scene.draw_in_perspective()};
+}
+
+/** A camera at the middle of the map, with an image of one colour. */
+fild::DrawnCamera camera_to_the_north()
+{
+    fild::DrawnCamera drawn;
+    drawn.camera.fx = drawn.camera.fy = 100;
+    drawn.camera.cx = 80;
+    drawn.camera.cy = 60;
+    drawn.camera.width = 160;
+    drawn.camera.height = 120;
+    drawn.image = cv::Mat(120, 160, CV_8UC3, cv::Scalar(255, 0, 255));
+    drawn.map_from_camera = {{1, 0, 0, 0, 0, 1, 0, -1, 0}, {100, 40, 1}};
+    return drawn;
 }
 
 TEST(MapScene, ShowsTheWholeWay)
@@ -163,6 +180,87 @@ TEST(MapScene, ColoursLoopsByInliers)
     }
 }
 
+TEST(MapScene, ColoursLoopsByTheTruthAboutThem)
+{
+    using Mark = fild::LoopTruthMark;
+    auto map = map_of(two_rounds());
+    map.loops = {{FrameId{65}, FrameId{5}, 20, 1, Mark::right},
+                 {FrameId{75}, FrameId{15}, 500, 0, Mark::wrong},
+                 {FrameId{100}, FrameId{40}, 500, 1, Mark::doubtful}};
+    map.missed = {FrameId{110}};
+    for (const auto& picture : both_pictures(map))
+    {
+        EXPECT_GT(coloured(picture, {50, 0, 0}, {115, 158, 0}), 8) << "right: green";
+        EXPECT_GT(coloured(picture, {150, 0, 0}, {20, 20, 220}), 8) << "wrong: red, used or not";
+        EXPECT_GT(coloured(picture, {100, 100, 0}, {200, 107, 138}), 8);
+        EXPECT_GT(coloured(picture, {0, 100, 0}, cv::Scalar::all(255), 2), 4) << "a ring";
+    }
+}
+
+/** How far the dark pixels reach to the sides of the way at each pixel along a stretch. */
+std::vector<int> widths_along(const MapPicture& picture, const cv::Vec3d& from, const cv::Vec3d& to)
+{
+    const auto first = picture.project(from);
+    const auto last = picture.project(to);
+    const auto pixels = static_cast<int>(cv::norm(last - first));
+    const auto along = (last - first) * (1.0 / pixels);
+    const cv::Point2d aside(-along.y, along.x);
+    std::vector<int> widths;
+    for (int i = 0; i < pixels; ++i)
+    {
+        int dark = 0;
+        for (int k = -15; k <= 15; ++k)
+        {
+            const cv::Point at(first + i * along + k * aside);
+            if (picture.image.at<cv::Vec3b>(at)[0] < 90) ++dark;
+        }
+        widths.push_back(dark);
+    }
+    return widths;
+}
+
+TEST(MapScene, PointsTheWayThatWasDriven)
+{
+    auto frames = two_rounds();
+    frames.resize(60);
+    const auto picture = MapScene(map_of(frames), {}).draw_from_above();
+    for (const auto& [from, to] :
+         {std::pair<cv::Vec3d, cv::Vec3d>{{12, 0, 0}, {188, 0, 0}}, {{188, 100, 0}, {12, 100, 0}}})
+    {
+        const auto widths = widths_along(picture, from, to);
+        const auto widest = std::max_element(widths.begin(), widths.end());
+        ASSERT_GT(*widest, 10);
+        ASSERT_GT(widest - widths.begin(), 4);
+        ASSERT_GT(widths.end() - widest, 20);
+        EXPECT_LT(*(widest - 4), *widest / 2) << "an arrowhead begins with its full width";
+        EXPECT_GT(*(widest + 5), *widest / 2) << "and grows thin";
+    }
+}
+
+TEST(MapScene, ShowsFromAboveWhereCamerasLook)
+{
+    auto map = map_of(two_rounds());
+    auto camera = camera_to_the_north();
+    camera.image.release();
+    camera.map_from_camera.translation = {105, 43, 1};  // beside the lines of the grid
+    map.cameras = {camera};
+    const auto& place = camera.map_from_camera.translation;
+    const auto nearly_grey = [&](const cv::Vec3d& at)
+    {
+        const auto picture = MapScene(map, {}).draw_from_above();
+        const auto pixel = picture.project(at);
+        cv::Mat found;
+        cv::inRange(picture.image(cv::Rect(cv::Point(pixel) - cv::Point(3, 3), cv::Size(7, 7))),
+                    cv::Scalar::all(0),
+                    cv::Scalar::all(215),
+                    found);
+        return cv::countNonZero(found);
+    };
+    // 6 % of 230 m wide: the frustum reached as far to the sides as ahead.
+    EXPECT_GT(nearly_grey(place + cv::Vec3d(0, 3, 0)), 2) << "a line ahead";
+    EXPECT_EQ(nearly_grey(place + cv::Vec3d(0, -3, 0)), 0) << "nothing behind";
+}
+
 TEST(MapScene, ColoursLoopsByWeight)
 {
     auto map = map_of(two_rounds());
@@ -217,20 +315,6 @@ TEST(MapScene, BearsASingleFrameAndAShaft)
     for (const auto& frames : {shaft, {shaft.front()}})
         for (const auto& picture : both_pictures(map_of(frames)))
             EXPECT_GT(coloured(picture, frames.back().map_from_robot.translation, kEnd), 20);
-}
-
-/** A camera at the middle of the map, with an image of one colour. */
-fild::DrawnCamera camera_to_the_north()
-{
-    fild::DrawnCamera drawn;
-    drawn.camera.fx = drawn.camera.fy = 100;
-    drawn.camera.cx = 80;
-    drawn.camera.cy = 60;
-    drawn.camera.width = 160;
-    drawn.camera.height = 120;
-    drawn.image = cv::Mat(120, 160, CV_8UC3, cv::Scalar(255, 0, 255));
-    drawn.map_from_camera = {{1, 0, 0, 0, 0, 1, 0, -1, 0}, {100, 40, 1}};
-    return drawn;
 }
 
 TEST(MapScene, StandsImagesInTheirFrusta)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/report/html_report.h"
 
+#include "fild/evaluation/loop_labels.h"
 #include "fild/report/pose_csv.h"
 #include "message_of.h"
 #include "run_folder_files.h"
@@ -231,6 +232,117 @@ TEST(HtmlReport, TellsHowFarEdgesAreFromTheTrajectory)
     EXPECT_NEAR(loop["residual_after_deg"].get<double>(), 90, 1e-2);
     EXPECT_NEAR(loop["translation_sd_m"].get<double>(), 0.5, 1e-4);
     EXPECT_EQ(data["trajectories"]["input"][1], (std::vector<double>{5, 4, 0}));
+}
+
+/** Frame i of a way with a bend, in steps of 4 m. */
+fild::FramePose pose_on_way(std::size_t i)
+{
+    const double yaw = 0.1 * static_cast<double>(i);
+    const cv::Matx33d rotation(
+        std::cos(yaw), -std::sin(yaw), 0, std::sin(yaw), std::cos(yaw), 0, 0, 0, 1);
+    return {rotation, {40 * std::sin(yaw), 40 * (1 - std::cos(yaw)), 0}};
+}
+
+std::string tum_line(double timestamp, const fild::FramePose& pose, double turned_by = 0)
+{
+    const double yaw = std::atan2(pose.rotation(1, 0), pose.rotation(0, 0)) + turned_by;
+    std::string line = std::to_string(timestamp);
+    for (int axis = 0; axis < 3; ++axis) line += " " + std::to_string(pose.position[axis]);
+    return line + " 0 0 " + std::to_string(std::sin(yaw / 2)) + " " +
+           std::to_string(std::cos(yaw / 2)) + "\n";
+}
+
+/** An edge that is exact, on a map whose headings are off by 2 degrees at the one frame of the edge
+ *  and by -2 degrees at all others. \param body  axes of the true poses, seen from the robot's. */
+nlohmann::json exact_edge_on_a_bent_map(const cv::Matx33d& body, bool oriented = true)
+{
+    std::vector<fild::FrameVerdict> frames;
+    for (std::size_t i = 0; i < 20; ++i) frames.push_back(i == 19 ? loop_at(19, 3) : frame_at(i));
+    const auto candidate = pose_on_way(3);
+    const auto query = pose_on_way(19);
+    const cv::Vec3d position = candidate.rotation.t() * (query.position - candidate.position);
+    fild::LoopRow edge;
+    edge.candidate_from_query = {position[0], position[1], 0, 1.6, 0, 0};
+    const RunFolderFiles run(frames, {edge});
+    std::string optimized;
+    fild::ReportTruth truth;
+    truth.oriented = oriented;
+    for (std::size_t i = 0; i < 20; ++i)
+    {
+        auto pose = pose_on_way(i);
+        optimized += tum_line(frame_at(i).timestamp, pose, i == 3 ? 0.035 : -0.002);
+        pose.rotation = pose.rotation * body;
+        truth.poses.push_back({frame_at(i).timestamp, pose});
+    }
+    write_text(run.path("trajectory_optimized.tum"), optimized);
+    fild::write_html_report(run.path(), {}, truth);
+    return data_of_page(run.path("report.html"))["loops"][0];
+}
+
+TEST(HtmlReport, JudgesEachEdgeByItself)
+{
+    const cv::Matx33d same = cv::Matx33d::eye();
+    const cv::Matx33d camera(0, 0, 1, -1, 0, 0, 0, -1, 0);
+    for (const auto& body : {same, camera})
+        EXPECT_NEAR(exact_edge_on_a_bent_map(body)["truth_error_m"].get<double>(), 0, 2e-4) << body;
+    EXPECT_FALSE(exact_edge_on_a_bent_map(same, false).contains("truth_error_m"))
+        << "headings out of the motion are too rough";
+}
+
+/** Of loop closures 3-0 right, 4-1 doubtful, 5-0 wrong; 6 comes back to 2 and is rejected. */
+fild::ReportTruth truth_of_seven_frames()
+{
+    fild::RunResults results;
+    results.frames = {frame_at(0),
+                      frame_at(1),
+                      frame_at(2),
+                      loop_at(3, 0),
+                      loop_at(4, 1),
+                      loop_at(5, 0),
+                      rejected_at(6, 1, 0.5)};
+    fild::LoopLabels labels = fild::to_loop_labels({{3, 0}, {5, 2}, {6, 2}}, 7);
+    labels.doubtful = {{4, 1}};
+    fild::ReportTruth truth;
+    truth.evaluation = fild::evaluate_loops(results, fild::LabelTruth(labels, 0));
+    fild::LoopScore by_window;
+    by_window.loop_queries = 3;
+    by_window.accepted = by_window.right = 3;
+    truth.other_protocols = {{fild::parse_protocol("window:10"), by_window}};
+    return truth;
+}
+
+TEST(HtmlReport, TellsWrongFromRightMissedAndDoubtful)
+{
+    const auto truth = truth_of_seven_frames();
+    std::vector<fild::FrameVerdict> frames;
+    for (const auto& judged : truth.evaluation.frames) frames.push_back(judged.verdict);
+    const RunFolderFiles run(frames);
+    fild::write_html_report(run.path(), {}, truth);
+    const auto data = data_of_page(run.path("report.html"));
+    const nlohmann::json none;
+    EXPECT_EQ(data["truth"]["judgement"],
+              nlohmann::json({none, none, none, "right", "doubtful", "wrong", "wrong"}));
+    ASSERT_EQ(data["truth"]["missed"].size(), 2U);
+    EXPECT_EQ(data["truth"]["missed"][0]["frame"], 5);
+    EXPECT_EQ(data["truth"]["missed"][1]["place"], 2);
+    ASSERT_EQ(data["protocols"].size(), 2U);
+    EXPECT_EQ(data["protocols"][0]["name"], "exact");
+    EXPECT_EQ(data["protocols"][0]["precision"], "0.500");
+    EXPECT_EQ(data["protocols"][1]["precision"], "1.000");
+    EXPECT_THAT(data["protocols"][1]["rule"].get<std::string>(), HasSubstr("10 frames"));
+}
+
+TEST(HtmlReport, ShowsWrongLoopsBeforeAllOthers)
+{
+    const auto truth = truth_of_seven_frames();
+    std::vector<fild::FrameVerdict> frames;
+    for (const auto& judged : truth.evaluation.frames) frames.push_back(judged.verdict);
+    const RunFolderFiles run(frames);
+    for (std::size_t i = 3; i < frames.size(); ++i) run.add_match_picture(frames[i]);
+    fild::TReportOptions options;
+    options.max_pictures = 1;
+    fild::write_html_report(run.path(), options, truth);
+    EXPECT_TRUE(data_of_page(run.path("report.html"))["pictures"].contains("5_0"));
 }
 
 TEST(HtmlReport, NamesTheFileThatIsMissingOrCutOff)

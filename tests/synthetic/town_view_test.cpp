@@ -11,6 +11,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace
 {
 fild::TTownOptions one_block()
@@ -212,12 +215,37 @@ TEST(BirdsEye, NamesThePartsOfARouteAndLeavesNoGaps)
     std::vector<std::string> names;
     names.reserve(lines.size());
     for (const auto& line : lines) names.push_back(line.name);
-    EXPECT_THAT(
-        names,
-        ::testing::ElementsAre("lap 1", "lap 2", "between", "driven once", "opposite direction"));
+    EXPECT_THAT(names,
+                ::testing::ElementsAre(
+                    "lap 1", "lap 2", "connecting road", "driven once", "opposite direction"));
     for (std::size_t i = 1; i < lines.size(); ++i)
         EXPECT_EQ(lines[i].points.front(), lines[i - 1].points.back());
     EXPECT_TRUE(fild::route_lines({}).empty());
+}
+
+/** A route to the west is seen from the north: its heading is to the right, as on map_top.png. */
+TEST(BirdsEye, HasTheHeadingAtTheStartToTheRight)
+{
+    fild::Town town(one_block());
+    const auto mean_place = [&](const fild::RouteLine& route, const cv::Scalar& colour)
+    {
+        cv::Mat found;
+        cv::inRange(fild::draw_birds_eye(town, {route}, {}, 800), colour, colour, found);
+        const auto moments = cv::moments(found, true);
+        EXPECT_GT(moments.m00, 20);
+        return cv::Point2d(moments.m10 / moments.m00, moments.m01 / moments.m00);
+    };
+    const cv::Scalar start(178, 114, 0);
+    const cv::Scalar end(0, 94, 213);
+    for (const auto& far : {cv::Point3d(54, 0, 0), {0, 54, 0}})
+        for (const bool is_back : {false, true})
+        {
+            fild::RouteLine route{"lap 1", {{0, 0, 0}, far / 2, far}};
+            if (is_back) std::reverse(route.points.begin(), route.points.end());
+            const auto way = mean_place(route, end) - mean_place(route, start);
+            EXPECT_GT(way.x, 100) << far << is_back;
+            EXPECT_LT(std::abs(way.y), 60) << far << is_back;
+        }
 }
 
 /** To make it anew: synthetic-rawlog --birds-eye town.png --output town.rawlog, and

@@ -39,6 +39,45 @@ std::string to_word(Rejection rejection)
     return "";
 }
 
+std::string meaning_of(Rejection rejection)
+{
+    switch (rejection)
+    {
+        case Rejection::none:
+            return "a loop closure: the frame shows the place that its candidate shows";
+        case Rejection::missing_image:
+            return "the image is missing or cannot be read; the frame is skipped";
+        case Rejection::image_size_changed:
+            return "the image cannot be scaled to the size of this camera's first image; the frame "
+                   "is skipped";
+        case Rejection::repeated_timestamp:
+            return "same time stamp as this camera's frame before; the frame is skipped";
+        case Rejection::unsupported_image:
+            return "neither 8 bit grey nor 8 bit colour; the frame is skipped";
+        case Rejection::too_early:
+            return "no earlier frame is old enough yet: [index] delay_seconds";
+        case Rejection::no_candidate:
+            return "the index found no candidate";
+        case Rejection::below_similarity:
+            return "no earlier frame is similar enough: [index] min_similarity";
+        case Rejection::too_few_matches:
+            return "fewer matching keypoints than inliers are required";
+        case Rejection::no_model:
+            return "no motion of the camera explains the matches";
+        case Rejection::too_few_inliers:
+            return "too few matches agree on one motion of the camera: [verification] min_inliers";
+        case Rejection::may_be_chance:
+            return "the inliers may agree by chance: support is below [same_place] min_probability";
+        case Rejection::may_be_look_alike:
+            return "may be two places that look alike: support is below [same_place] "
+                   "min_probability";
+        case Rejection::not_consistent_yet:
+            return "convincing alone, but not confirmed by the frames before: [consistency] belief "
+                   "or consecutive_frames";
+    }
+    return "";
+}
+
 const std::vector<Rejection>& all_rejections()
 {
     static const std::vector<Rejection> all = {

@@ -134,9 +134,10 @@ void require_same_recording(const std::vector<RunResults>& runs)
 
 RunEvaluation evaluate_loops(const RunResults& run, const LoopTruth& truth)
 {
-    const auto frames = judge_frames(run.frames, truth);
     RunEvaluation evaluation;
     evaluation.folder = run.folder;
+    evaluation.frames = judge_frames(run.frames, truth);
+    const auto& frames = evaluation.frames;
     evaluation.score = score_loops(frames);
     evaluation.inlier_curve = precision_recall_curve(frames, ScoreKind::inliers);
     evaluation.similarity_curve = precision_recall_curve(frames, ScoreKind::similarity);

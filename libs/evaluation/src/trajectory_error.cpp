@@ -114,9 +114,8 @@ double rmse_of_positions(const PosePairs& pairs)
            std::sqrt(static_cast<double>(pairs.truth.size()));
 }
 
-/** Turns the estimated bodies by the constant rotation that brings them nearest to the true ones.
- */
-void align_bodies(PosePairs& pairs)
+/** The constant rotation that brings the axes of the estimated bodies nearest to the true ones. */
+Eigen::Matrix3d turn_between_bodies(const PosePairs& pairs)
 {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < pairs.truth.size(); ++i)
@@ -124,7 +123,24 @@ void align_bodies(PosePairs& pairs)
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Vector3d signs(1, 1, 1);
     signs(2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-    const Eigen::Matrix3d turn = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+    return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+}
+
+/** The rotation, or the one nearest to it that only permutes the axes, when that is near: a robot's
+ *  and a camera's axes differ by such a one, and errors of the trajectory then do not count. */
+Eigen::Matrix3d snapped_to_axes(const Eigen::Matrix3d& rotation)
+{
+    constexpr double kNear = 5 * kRadiansPerDegree;
+    const Eigen::Matrix3d axes = rotation.array().round();
+    const bool is_permutation = (axes * axes.transpose()).isIdentity();
+    const bool is_near =
+        is_permutation && Eigen::AngleAxisd(axes.transpose() * rotation).angle() < kNear;
+    return is_near ? axes : rotation;
+}
+
+void align_bodies(PosePairs& pairs)
+{
+    const Eigen::Matrix3d turn = turn_between_bodies(pairs);
     for (auto& pose : pairs.estimated) pose.linear() = pose.linear() * turn;
 }
 
@@ -193,7 +209,11 @@ TrajectoryError trajectory_error(const std::vector<TimedPose>& trajectory,
 std::vector<PosedFrame> laid_over(const std::vector<TimedPose>& trajectory,
                                   std::vector<PosedFrame> truth)
 {
-    const auto alignment = alignment_of(pair_by_time(trajectory, truth), false);
+    auto pairs = pair_by_time(trajectory, truth);
+    const auto alignment = alignment_of(pairs, false);
+    for (auto& pose : pairs.estimated) pose = alignment.of(pose);
+    const Eigen::Matrix3d body_from_true_body =
+        snapped_to_axes(turn_between_bodies(pairs)).transpose();
     Eigen::Isometry3d truth_from_trajectory = Eigen::Isometry3d::Identity();
     truth_from_trajectory.linear() = alignment.rotation;
     truth_from_trajectory.translation() = alignment.translation;
@@ -203,7 +223,7 @@ std::vector<PosedFrame> laid_over(const std::vector<TimedPose>& trajectory,
         if (!frame.pose) continue;
         const Eigen::Isometry3d pose = trajectory_from_truth * to_isometry(*frame.pose);
         const Eigen::Vector3d position = pose.translation();
-        frame.pose->rotation = to_opencv(pose.linear());
+        frame.pose->rotation = to_opencv(pose.linear() * body_from_true_body);
         frame.pose->position = {position.x(), position.y(), position.z()};
     }
     return truth;

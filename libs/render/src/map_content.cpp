@@ -132,6 +132,7 @@ MapContent MapContent::flattened() const
     for (auto& position : flat.ground_truth) position[2] = height;
     for (auto& loop : flat.loops) put_at_height(height, loop.pair);
     for (auto& pair : flat.unused_loops) put_at_height(height, pair);
+    for (auto& place : flat.missed) place[2] = height;
     for (auto& camera : flat.cameras) camera.map_from_camera.translation[2] = height;
     return flat;
 }
@@ -170,9 +171,10 @@ void MapContent::place_loops(const DrawnMap& map)
     {
         const auto pair = places.pair(loop.query, loop.candidate);
         if (!pair) continue;
-        if (loop.weight > 0)
+        // A wrong loop is shown as such even where the map has no use for it.
+        if (loop.weight > 0 || loop.truth == LoopTruthMark::wrong)
         {
-            loops.push_back({*pair});
+            loops.push_back({*pair, 0, loop.truth});
             const bool by_inliers = loop_colour == LoopColour::inliers;
             values.push_back(by_inliers ? static_cast<double>(loop.inliers) : loop.weight);
         }
@@ -181,6 +183,17 @@ void MapContent::place_loops(const DrawnMap& map)
     }
     for (const auto& [query, candidate] : map.rejected)
         if (const auto pair = places.pair(query, candidate)) rejected.push_back(*pair);
+    for (const auto frame : map.missed)
+        if (const auto pair = places.pair(frame, frame)) missed.push_back(pair->query);
+    set_colour_shares(values);
+    // The wrong ones are drawn last and hide the others.
+    std::stable_partition(loops.begin(),
+                          loops.end(),
+                          [](const auto& loop) { return loop.truth != LoopTruthMark::wrong; });
+}
+
+void MapContent::set_colour_shares(const std::vector<double>& values)
+{
     if (loops.empty()) return;
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     colour_range = {*low, *high};
@@ -188,6 +201,37 @@ void MapContent::place_loops(const DrawnMap& map)
     const double range = colour_range[1] - colour_range[0];
     for (std::size_t i = 0; i < loops.size(); ++i)
         loops[i].share = range > 0 ? (values[i] - colour_range[0]) / range : 1;
+}
+
+bool MapContent::is_judged() const
+{
+    return !missed.empty() || count_loops(LoopTruthMark::unknown) < loops.size();
+}
+
+std::size_t MapContent::count_loops(LoopTruthMark truth) const
+{
+    return static_cast<std::size_t>(std::count_if(
+        loops.begin(), loops.end(), [&](const auto& loop) { return loop.truth == truth; }));
+}
+
+const cv::Scalar& colour_of(LoopTruthMark truth)
+{
+    static const cv::Scalar right(115, 158, 0);
+    static const cv::Scalar wrong(20, 20, 220);
+    static const cv::Scalar doubtful(200, 107, 138);
+    static const cv::Scalar unknown(130, 130, 130);
+    switch (truth)
+    {
+        case LoopTruthMark::right:
+            return right;
+        case LoopTruthMark::wrong:
+            return wrong;
+        case LoopTruthMark::doubtful:
+            return doubtful;
+        case LoopTruthMark::unknown:
+            return unknown;
+    }
+    return unknown;
 }
 
 }  // namespace fild

@@ -24,6 +24,7 @@ struct ColouredLoop
 {
     PlacedPair pair;
     double share = 0;  ///< of the colour scale, see colour_on_scale()
+    LoopTruthMark truth = LoopTruthMark::unknown;
 };
 
 /** How the kinds of lines look. */
@@ -53,6 +54,11 @@ struct MapContent
 
     const MapStyle& truth_style() const;
 
+    /** True when the loops are coloured by what the ground truth says of them. */
+    bool is_judged() const;
+
+    std::size_t count_loops(LoopTruthMark truth) const;
+
     /** The same map for a file that others show: their depths are less exact, so that layers must
      *  be further apart. */
     MapContent for_viewers() const;
@@ -68,6 +74,7 @@ struct MapContent
     std::vector<cv::Vec3d> ground_truth;
     std::vector<ColouredLoop> loops;
     std::vector<PlacedPair> unused_loops;
+    std::vector<cv::Vec3d> missed;  ///< places of loop queries that were rejected
     std::vector<PlacedPair> rejected;  ///< on the ground, where they hide no path
     std::vector<DrawnCamera> cameras;
     bool is_flat = false;
@@ -78,7 +85,11 @@ struct MapContent
 
  private:
     void place_loops(const DrawnMap& map);
+    void set_colour_shares(const std::vector<double>& values);
 };
+
+/** The colour of loops of which the truth says so. */
+const cv::Scalar& colour_of(LoopTruthMark truth);
 
 const MapStyle kGridStyle{{205, 205, 205}, 1, 0};
 const MapStyle kTruthBand{{120, 205, 250}, 8, 1};  // shows where others leave it
@@ -91,6 +102,7 @@ const MapStyle kLoopStyle{{}, 2.5, 6};
 const MapStyle kCameraStyle{{110, 90, 80}, 1, 7};
 const MapStyle kMarkStyle{{}, 15, 8};
 constexpr double kLoopSpot_px = 7;
+const MapStyle kMissedStyle{{60, 60, 60}, 10, 7};  // a ring
 const cv::Scalar kStartColour(178, 114, 0);
 const cv::Scalar kEndColour(0, 94, 213);
 

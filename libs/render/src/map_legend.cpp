@@ -91,6 +91,18 @@ class Legend
         add_name(name);
     }
 
+    void add_ring(const cv::Scalar& colour, const std::string& name)
+    {
+        const cv::Point centre(cvRound(left_ + kSample * unit_ / 2), cvRound(y_ - 7 * unit_));
+        cv::circle(picture_,
+                   centre,
+                   cvRound(7 * unit_),
+                   colour,
+                   std::max(1, cvRound(2.5 * unit_)),
+                   cv::LINE_AA);
+        add_name(name);
+    }
+
     /** The colour scale under its title, with its first and last value. */
     void add_scale(const std::string& title, const std::array<double, 2>& range)
     {
@@ -142,6 +154,19 @@ class Legend
     double right_;
     double y_;  ///< the line that the next text stands on
 };
+
+/** The loops by what the ground truth says of them. */
+void add_judgements(Legend& legend, const MapContent& map)
+{
+    for (const auto& [truth, name] : {std::pair{LoopTruthMark::right, "right loop"},
+                                      std::pair{LoopTruthMark::wrong, "wrong loop"},
+                                      std::pair{LoopTruthMark::doubtful, "doubtful loop"}})
+        if (const auto count = map.count_loops(truth); count > 0)
+            legend.add_mark(true, colour_of(truth), count_of(count, name));
+    if (!map.missed.empty())
+        legend.add_ring(kMissedStyle.colour, count_of(map.missed.size(), "missed loop"));
+    legend.add_gap();
+}
 
 /** What stands below the samples: numbers of the map. */
 void add_facts(Legend& legend, const MapContent& map)
@@ -232,7 +257,9 @@ void draw_legend(cv::Mat& picture, const MapContent& map, const std::string& tit
     legend.add_mark(true, kStartColour, "start");
     legend.add_mark(false, kEndColour, "end");
     legend.add_gap();
-    if (!map.loops.empty())
+    if (map.is_judged())
+        add_judgements(legend, map);
+    else if (!map.loops.empty())
     {
         const bool by_inliers = map.loop_colour == LoopColour::inliers;
         legend.add_scale(

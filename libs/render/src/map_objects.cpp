@@ -13,6 +13,25 @@ namespace
 constexpr int kRound = 16;  // corners of a spot that looks round
 constexpr int kSquare = 4;
 
+/** An arrow from a camera at `from` to where it looks.
+ *  \return false, and adds none, when that is up or down. */
+bool add_level_arrow(ThinLines& lines,
+                     const cv::Vec3d& from,
+                     const cv::Matx33d& map_from_camera,
+                     double length)
+{
+    const cv::Vec3d ahead(map_from_camera(0, 2), map_from_camera(1, 2), 0);
+    constexpr double kLeast = 0.1;
+    if (cv::norm(ahead) < kLeast) return false;
+    const auto along = cv::normalize(ahead);
+    const cv::Vec3d aside(-along[1], along[0], 0);
+    const auto tip = from + length * along;
+    lines.add(from, tip);
+    for (const double side : {-1.0, 1.0})
+        lines.add(tip, tip - 0.3 * length * along + side * 0.2 * length * aside);
+    return true;
+}
+
 /** Puts the objects of a map into a scene, each kind on its layer. */
 class MapObjects
 {
@@ -24,8 +43,10 @@ class MapObjects
 
     void add_grid();
     void add_way(const std::vector<cv::Vec3d>& way, const MapStyle& style, const char* name);
+    void add_arrows(const std::vector<cv::Vec3d>& way);
     void add_rejected();
     void add_loops();
+    void add_missed();
     void add_cameras();
     void add_marks();
 
@@ -78,6 +99,29 @@ void MapObjects::add_way(const std::vector<cv::Vec3d>& way, const MapStyle& styl
     scene_->insert(strokes.make(name));
 }
 
+/** Heads on the path that point the way it was driven. */
+void MapObjects::add_arrows(const std::vector<cv::Vec3d>& way)
+{
+    constexpr double kLength_px = 17;
+    const double spacing = map_.grid.size() / 9;
+    Strokes heads;
+    double since_last = spacing / 2;
+    for (std::size_t i = 1; i < way.size(); ++i)
+    {
+        auto along = way[i] - way[i - 1];
+        along[2] = 0;
+        const double step = cv::norm(along);
+        since_last += step;
+        if (since_last < spacing || step < 1e-6 * spacing) continue;
+        since_last = 0;
+        heads.add_arrowhead(lifted(way[i], kOptimizedStyle),
+                            along / step,
+                            kLength_px * metre_,
+                            kOptimizedStyle.colour);
+    }
+    scene_->insert(heads.make("direction of travel"));
+}
+
 void MapObjects::add_rejected()
 {
     if (map_.rejected.empty()) return;
@@ -108,9 +152,25 @@ void MapObjects::add_loops()
         add_pair(unused, pair, kUnusedStyle, kUnusedStyle.colour);
     if (!map_.unused_loops.empty()) scene_->insert(unused.make("loops not used"));
     Strokes used;
-    for (const auto& [pair, share] : map_.loops)
-        add_pair(used, pair, kLoopStyle, colour_on_scale(share));
+    for (const auto& [pair, share, truth] : map_.loops)
+        add_pair(
+            used, pair, kLoopStyle, map_.is_judged() ? colour_of(truth) : colour_on_scale(share));
     if (!map_.loops.empty()) scene_->insert(used.make("loops"));
+}
+
+void MapObjects::add_missed()
+{
+    if (map_.missed.empty()) return;
+    const double width = kMissedStyle.width_px * metre_;
+    const cv::Vec3d above(0, 0, map_.layer_height / 2);
+    Strokes rings;
+    for (const auto& place : map_.missed)
+    {
+        const auto at = lifted(place, kMissedStyle);
+        rings.add_spot(at, width, kRound, kMissedStyle.colour);
+        rings.add_spot(at + above, 0.6 * width, kRound, cv::Scalar::all(255));
+    }
+    scene_->insert(rings.make("missed loops"));
 }
 
 void MapObjects::add_cameras()
@@ -124,7 +184,11 @@ void MapObjects::add_cameras()
     {
         const double distance = width * camera.fx / camera.width;
         const auto corners = image_corners(camera, map_from_camera, distance);
-        frusta.add_frustum(map_from_camera.translation, corners);
+        // A frustum from above looks like an arrowhead that points back.
+        const auto above_grid = lifted(map_from_camera.translation, kCameraStyle);
+        if (!map_.is_flat ||
+            !add_level_arrow(frusta, above_grid, map_from_camera.rotation, distance))
+            frusta.add_frustum(map_from_camera.translation, corners);
         if (!image.empty()) images.add(image, corners);
     }
     scene_->insert(frusta.make("cameras"));
@@ -172,7 +236,9 @@ mrpt::opengl::COpenGLScene::Ptr make_scene(const MapContent& map)
     objects.add_rejected();
     for (const auto& way : map.input) objects.add_way(way, kInputStyle, "path before the loops");
     for (const auto& way : map.optimized) objects.add_way(way, kOptimizedStyle, "optimised path");
+    for (const auto& way : map.optimized) objects.add_arrows(way);
     objects.add_loops();
+    objects.add_missed();
     objects.add_cameras();
     objects.add_marks();
     return objects.scene();

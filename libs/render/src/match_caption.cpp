@@ -44,6 +44,14 @@ std::vector<std::string> title(const char* role, FrameId frame, double timestamp
             time_text(timestamp)};
 }
 
+/** Neither is rounded over the other. */
+std::string support_text(double support, double threshold)
+{
+    const bool is_below = support < threshold;
+    const double shown = is_below ? std::floor(1000 * support) / 1000 : support;
+    return formatted("support %.3f, %s %.4g", shown, is_below ? "below" : "needed", threshold);
+}
+
 double squared_distance(const PixelPair& a, const PixelPair& b)
 {
     const auto squared = [](float d) { return static_cast<double>(d) * static_cast<double>(d); };
@@ -78,7 +86,8 @@ std::vector<std::string> match_caption(const MatchPicture& picture, std::size_t 
         verdict.accepted() ? "loop closure" : "no loop closure: " + to_word(verdict.rejection),
         formatted("%.1f s %s", std::abs(seconds), seconds < 0 ? "before, by the clock" : "later"),
         formatted("similarity %.3f", verdict.candidate->similarity),
-        formatted("%zu inliers of %zu matches", verdict.inliers, verdict.matches)};
+        formatted("%zu inliers of %zu matches", verdict.inliers, verdict.matches),
+        support_text(verdict.support, picture.support_threshold)};
     if (lines < picture.inliers.size())
         parts.push_back(formatted("%zu of %zu lines drawn", lines, picture.inliers.size()));
     if (!picture.rejected.empty()) parts.emplace_back("grey: not inliers");

@@ -133,6 +133,16 @@ void Strokes::add_spot(const cv::Vec3d& centre, double width, int corners, const
     for (int i = 0; i < corners; ++i) add_triangle(centre, corner(i), corner(i + 1), colour);
 }
 
+void Strokes::add_arrowhead(const cv::Vec3d& tip,
+                            const cv::Vec3d& along,
+                            double length,
+                            const cv::Scalar& colour)
+{
+    const cv::Vec3d aside(-along[1], along[0], 0);
+    const auto back = tip - length * along;
+    add_triangle(tip, back + 0.5 * length * aside, back - 0.5 * length * aside, colour);
+}
+
 mrpt::opengl::CRenderizable::Ptr Strokes::make(const std::string& name) const
 {
     auto object = mrpt::opengl::CSetOfTriangles::Create();

@@ -62,6 +62,12 @@ class Strokes
     /** A regular polygon that lies flat. \param corners  4: a square, its sides along x and y. */
     void add_spot(const cv::Vec3d& centre, double width, int corners, const cv::Scalar& colour);
 
+    /** A triangle that lies flat. \param along  where it points; of length 1 and level. */
+    void add_arrowhead(const cv::Vec3d& tip,
+                       const cv::Vec3d& along,
+                       double length,
+                       const cv::Scalar& colour);
+
     mrpt::opengl::CRenderizable::Ptr make(const std::string& name) const;
 
  private:

@@ -90,9 +90,17 @@ function viridisAt(part) {
   return echarts.color.lerp(at - Math.floor(at), [viridis[Math.floor(at)], viridis[Math.floor(at) + 1]]);
 }
 
+/** ECharts keeps each turn of the wheel over a chart that zooms, though it zooms with Ctrl alone. */
+function leaveWheelToPage(panel) {
+  for (const kind of ['wheel', 'mousewheel'])
+    panel.addEventListener(kind, event => { if (!event.ctrlKey && !event.metaKey) event.stopPropagation(); },
+                           {capture: true, passive: true});
+}
+
 /** Draws a chart, again whenever light changes to dark. `options` is called each time. */
 function draw(id, options) {
   byId(id).setAttribute('role', 'img');  // ECharts adds the label
+  leaveWheelToPage(byId(id));
   const chart = echarts.init(byId(id), null, {renderer: 'canvas', locale: 'EN'});
   const redraw = () => chart.setOption(withDefaults(chart, options(chart)), true);
   drawings.push({chart, redraw});
@@ -160,9 +168,10 @@ const frameAxis = frames => ({type: 'value', name: 'frame', nameLocation: 'middl
 const plotGrid = {left: 64, right: 24, top: 24, bottom: 48};
 const matrixGrid = {left: 64, right: 20, top: 16, bottom: 48};
 const mapGrid = {left: 60, right: 30, top: 28, bottom: 60};
-// Wheel and finger scroll the page over these charts: there are many of them.
-const zoom = [{type: 'inside', xAxisIndex: 0, filterMode: 'none', zoomOnMouseWheel: 'ctrl', preventDefaultMouseMove: false}];
-const mapZoom = [{type: 'inside', xAxisIndex: 0, filterMode: 'none'}, {type: 'inside', yAxisIndex: 0, filterMode: 'none'}];
+// Wheel and finger scroll the page over charts and maps; with Ctrl the wheel zooms.
+const zoomOf = axis => ({type: 'inside', ...axis, filterMode: 'none', zoomOnMouseWheel: 'ctrl', preventDefaultMouseMove: false});
+const zoom = [zoomOf({xAxisIndex: 0})];
+const mapZoom = [zoomOf({xAxisIndex: 0}), zoomOf({yAxisIndex: 0})];
 const mapLabels = {showMinLabel: false, showMaxLabel: false, formatter: atMost(3)};
 
 /** Both axes of a map of these positions, so that a metre is as long in x as in y. */
@@ -181,13 +190,34 @@ function mapAxes(chart, positions, series) {
   return {xAxis: axis('x, m', 28, (x0 + x1) / 2, width), yAxis: axis('y, m', 42, (y0 + y1) / 2, height)};
 }
 
+/** Shows a part of the map that is `factor` times as large; 0: all of it. */
+function zoomMap(chart, factor) {
+  chart.getOption().dataZoom.forEach(({start, end}, dataZoomIndex) => {
+    const half = factor ? Math.min(50, (end - start) / 2 * factor) : 50;
+    const middle = Math.min(100 - half, Math.max(half, (start + end) / 2));
+    chart.dispatchAction({type: 'dataZoom', dataZoomIndex, start: middle - half, end: middle + half});
+  });
+}
+
+/** Buttons, for those who have neither Ctrl nor a second finger. */
+function mapButtons(chart) {
+  const button = (name, title, factor) => element('button', {type: 'button', title, 'aria-label': title, onclick: () => zoomMap(chart, factor)}, name);
+  return element('div', {class: 'zoom'}, button('+', 'zoom in', 0.6), button('\u2212', 'zoom out', 1 / 0.6),
+                 button('whole map', 'show the whole map', 0));
+}
+
 /** A map of these positions, drawn anew when the window changes. */
 function drawMapOf(positions, makeSeries, options = {}) {
-  return draw('map-chart', chart => {
+  const chart = draw('map-chart', drawn => {
     const series = makeSeries();
     return {grid: mapGrid, dataZoom: mapZoom, series, ...options, legend: {top: 10, itemWidth: 24, ...options.legend},
-            ...mapAxes(chart, positions, series)};
+            ...mapAxes(drawn, positions, series)};
   });
+  byId('map-chart').before(mapButtons(chart));
+  // One finger scrolls the page until the map is zoomed: then it moves the map.
+  chart.on('datazoom', () => byId('map-chart').classList.toggle('zoomed', chart.getOption().dataZoom.some(
+    ({start, end}) => end - start < 99.9)));
+  return chart;
 }
 
 const trajectoryLine = (name, positions, style) => ({
@@ -202,6 +232,22 @@ window.addEventListener('resize', () => {
 });
 matchMedia('(prefers-color-scheme: dark)')
   .addEventListener('change', () => drawings.forEach(({redraw}) => redraw()));
+
+// Paper is narrower than the window, and nothing on it opens.
+const paperWidth = 680;  // CSS pixels between the margins of A4
+let openedForPaper = [];
+window.addEventListener('beforeprint', () => {
+  openedForPaper = [...document.querySelectorAll('main details:not([open])')];
+  openedForPaper.forEach(one => one.open = true);
+  drawings.forEach(({chart, redraw}) => {
+    chart.resize({width: Math.min(paperWidth, chart.getWidth())});
+    redraw();
+  });
+});
+window.addEventListener('afterprint', () => {
+  openedForPaper.forEach(one => one.open = false);
+  drawings.forEach(({chart, redraw}) => { chart.resize({width: 'auto'}); redraw(); });
+});
 
 /** Stages that are parts of a frame, in the order of the pipeline. */
 const frameStages = ['image_decoding', 'global_descriptor', 'local_features', 'hashing', 'depth', 'index_insertion',
@@ -220,7 +266,7 @@ function drawStages(id, bars) {
   draw(id, () => ({
     grid,
     legend: {}, tooltip: {trigger: 'item', valueFormatter: value => number(value, 2) + ' ms'},
-    xAxis: {type: 'value', name: 'ms a frame, on average', nameLocation: 'middle', nameGap: 26},
+    xAxis: {type: 'value', name: 'mean time per frame, ms', nameLocation: 'middle', nameGap: 26},
     yAxis: {type: 'category', data: bars.map(([name]) => name), axisTick: {show: false}, inverse: true},
     series: stages.map(stage => ({name: words(stage), type: 'bar', stack: 'all', barMaxWidth: 40, itemStyle: {color: stageColour(stage), borderColor: colour('page'), borderWidth: 0.5},
                                   data: bars.map(([, summary]) => mean(summary, stage))})),
@@ -241,43 +287,143 @@ const pictureOf = (run, query) => run.pictures[pairOf(run, query)];
 /** The positions of all frames on the best trajectory that there is. */
 const bestTrajectory = run => run.trajectories.optimized || run.trajectories.input || [];
 
-function captionOf(run, query) {
-  const f = run.frames;
-  const verdict = f.rejection[query] ? `, ${words(f.rejection[query])}` : '';
-  return `frame ${query} and frame ${f.candidate[query]}: ${number(f.inliers[query])} inliers of `
-    + `${number(f.matches[query])} matches, support ${number(f.support[query], 3)}, similarity `
-    + `${number(f.similarity[query], 3)}${verdict}`;
+/** Text of an option in force; undefined in runs of versions without it. */
+const optionOf = (run, section, key) => (run.summary.options[section] || {})[key];
+
+/** The least support of a loop closure where support is a probability, else null. */
+const minProbabilityOf = run => optionOf(run, 'same_place', 'enabled') === 'true'
+  ? Number(optionOf(run, 'same_place', 'min_probability')) : null;
+
+/** Not rounded over the threshold. */
+function supportText(run, frame) {
+  const support = run.frames.support[frame];
+  const least = minProbabilityOf(run) ?? 1;
+  const isBelow = support < least;
+  return `${number(isBelow ? Math.floor(1000 * support) / 1000 : support, 3)} (${isBelow ? 'below' : 'needed'} ${least})`;
 }
 
-function showInFullSize(image) {
-  const dialog = element('dialog', {class: 'full', 'aria-label': image.alt, onclick: () => dialog.close()},
-                         element('img', {src: image.src, alt: image.alt}));
+// ---- Ground truth -----------------------------------------------------------------------------
+
+/** What the truth says of a loop closure, or of a frame without one. */
+const truthKinds = {
+  right: {colour: '#009e73', symbol: 'circle', meaning: 'a loop closure that the ground truth confirms'},
+  wrong: {colour: '#dc1414', symbol: 'diamond', meaning: 'a loop closure that the ground truth contradicts'},
+  doubtful: {colour: '#8a6bc8', symbol: 'rect', meaning: 'a loop closure of which the ground truth cannot tell; it counts for nothing'},
+  missed: {colour: 'ink', symbol: 'circle', meaning: 'no loop closure, but the ground truth has one to find'},
+};
+const kindColour = kind => kind === 'missed' ? colour('ink') : truthKinds[kind].colour;
+
+/** A missed loop is hollow; ECharts fills its own hollow marks with white, also in the dark. */
+const markStyle = kind => kind === 'missed' ? {color: 'transparent', borderColor: kindColour(kind), borderWidth: 2}
+  : {color: kindColour(kind)};
+
+/** Of each loop query without a right loop closure: `place`, a frame that shows it, and `why`. */
+const missedLoops = run => run.missed ??= new Map(((run.truth || {}).missed || []).map(lost => [lost.frame, lost]));
+
+/** A key of truthKinds; null without truth, and of a frame that is rightly no loop closure. */
+function kindOf(run, frame) {
+  if (!run.truth || frame >= run.truth.judgement.length) return null;
+  if (!run.frames.rejection[frame]) return run.truth.judgement[frame];
+  return missedLoops(run).has(frame) ? 'missed' : null;
+}
+
+function missedText(run, frame) {
+  const {place, why} = missedLoops(run).get(frame);
+  return 'missed' + (known(place) ? `: frame ${place} shows its place` : '') + (why ? `; ${why}` : '');
+}
+
+/** Frames of a kind, in order. */
+const framesOfKind = (run, kind) => run.frames.rejection.map((_, frame) => frame).filter(frame => kindOf(run, frame) === kind);
+
+const badge = kind => element('b', {class: 'kind ' + kind, title: truthKinds[kind].meaning}, kind);
+
+function captionOf(run, query) {
+  const f = run.frames;
+  const verdict = f.rejection[query] ? `rejected: ${words(f.rejection[query])}` : 'loop closure';
+  const missed = kindOf(run, query) === 'missed' ? `; ${missedText(run, query)}` : '';
+  return `frame ${query} and frame ${f.candidate[query]}: ${verdict}, support ${supportText(run, query)}, `
+    + `${number(f.inliers[query])} inliers of ${number(f.matches[query])} matches, similarity `
+    + `${number(f.similarity[query], 3)}${missed}`;
+}
+
+/** The same for a tooltip, beginning with what the truth says. */
+function tooltipOf(run, query) {
+  const kind = kindOf(run, query);
+  return (kind ? `<b>${kind}</b> ` : '') + (known(run.frames.candidate[query]) ? captionOf(run, query)
+    : `frame ${query}: rejected: ${words(verdictOf(run, query))}` + (kind === 'missed' ? `; ${missedText(run, query)}` : ''));
+}
+
+// ---- Pictures in full size --------------------------------------------------------------------
+
+/** Shows a picture pixel by pixel; the file beside the page, if there is one, has more of them. */
+function showInFullSize(buttons, first) {
+  const image = element('img', {});
+  const caption = element('span', {class: 'caption', role: 'status'});
+  let at = first;
+  const show = to => {
+    at = (to + buttons.length) % buttons.length;
+    const shown = buttons[at].querySelector('img');
+    image.src = shown.src;
+    image.alt = shown.alt;
+    const about = shown.dataset.caption || shown.alt;
+    caption.textContent = about;
+    if (!shown.dataset.file) return;
+    const file = new Image();
+    const isStillShown = () => buttons[at].querySelector('img') === shown;
+    file.onload = () => { if (isStillShown()) image.src = file.src; };
+    file.onerror = () => { if (isStillShown()) caption.textContent = `${about} (scaled down: ${shown.dataset.file} is not beside this page)`; };
+    file.src = shown.dataset.file;
+  };
+  const button = (name, title, act) => element('button', {type: 'button', title, 'aria-label': title, onclick: act}, name);
+  const turns = buttons.length > 1 ? [button('\u2190', 'previous picture', () => show(at - 1)),
+                                      button('\u2192', 'next picture', () => show(at + 1))] : [];
+  const dialog = element('dialog', {class: 'full', 'aria-label': 'picture in full size',
+                                    onclick: event => { if (event.target === dialog) dialog.close(); }},
+    element('div', {class: 'bar'}, caption, ...turns, button('close', 'close', () => dialog.close())),
+    element('div', {class: 'pixels'}, image));
+  dialog.addEventListener('keydown', event => {
+    const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
+    if (step && buttons.length > 1) show(at + step);
+  });
   dialog.addEventListener('close', () => dialog.remove());
   document.body.append(dialog);
+  show(first);
   dialog.showModal();
 }
 
-/** A picture that a click, or the enter key, shows in full size. */
-const pictureButton = image => element('button', {type: 'button', class: 'picture', title: 'show in full size',
-                                                  onclick: () => showInFullSize(image)}, image);
+/** A picture that a click, or the enter key, shows in full size; from there on to its neighbours. */
+function pictureButton(image) {
+  const button = element('button', {type: 'button', class: 'picture', title: 'show in full size', onclick: () => {
+    const group = button.closest('.gallery, .pair, table') || button.parentElement;
+    const buttons = [...group.querySelectorAll('.picture')];
+    showInFullSize(buttons, buttons.indexOf(button));
+  }}, image);
+  return button;
+}
 
 /** The match picture of a pair; where there is one in 3D too, a button changes between them. */
 function pictureElement(run, query) {
   const key = pairOf(run, query);
   if (!run.pictures[key]) return element('div', {class: 'empty'}, 'no picture of this pair was drawn');
-  const image = element('img', {src: run.pictures[key], alt: 'match picture of ' + captionOf(run, query), loading: 'lazy'});
+  const kind = kindOf(run, query);
+  const caption = (kind ? kind + ': ' : '') + captionOf(run, query);
+  const image = element('img', {src: run.pictures[key], alt: 'match picture of ' + caption, loading: 'lazy', 'data-caption': caption});
+  const fileOf = variant => run.has_matches_beside ? image.dataset.file = `matches/${key}${variant}.jpg` : '';
+  fileOf('');
   if (!run.pictures_3d[key]) return pictureButton(image);
   const button = element('button', {type: 'button', class: 'turn', 'aria-pressed': 'false', onclick: () => {
     const standing = button.getAttribute('aria-pressed') === 'false';
     button.setAttribute('aria-pressed', String(standing));
     image.src = (standing ? run.pictures_3d : run.pictures)[key];
-    image.alt = (standing ? 'the pair in 3D, ' : 'match picture of ') + captionOf(run, query);
+    image.alt = (standing ? 'the pair in 3D, ' : 'match picture of ') + caption;
+    fileOf(standing ? '_3d' : '');
   }}, 'in 3D');
   return element('div', {class: 'views'}, pictureButton(image), button);
 }
 
 function figureOf(run, query, onclose = null) {
-  const caption = element('figcaption', {}, captionOf(run, query));
+  const kind = kindOf(run, query);
+  const caption = element('figcaption', {}, ...(kind ? [badge(kind), ' '] : []), captionOf(run, query));
   if (onclose) caption.prepend(element('button', {type: 'button', onclick: onclose}, 'close'));
   return element('figure', {}, pictureElement(run, query), caption);
 }

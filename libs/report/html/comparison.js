@@ -35,16 +35,17 @@ const metrics = [
   ['precision', run => (run.evaluation || {}).precision, share],
   ['recall', run => (run.evaluation || {}).recall, share],
   ['wrong loop closures', run => (run.evaluation || {}).wrong, number],
+  ['missed loops', run => (run.evaluation || {}).missed, number],
   ['absolute trajectory error (ATE) before', run => (run.evaluation || {}).ate_input_m, metres],
   ['absolute trajectory error (ATE) after', run => (run.evaluation || {}).ate_optimized_m, metres],
   ['keyframes', run => graphOf(run).nodes, number],
   ['loop edges', run => graphOf(run).loop_edges, number],
   ['chi\u00b2 after optimisation: disagreement of the edges', run => graphOf(run).chi2_after, large],
-  ['time of a frame, mean', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).mean, milliseconds],
-  ['time of a frame, 95 % are below', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).p95, milliseconds],
-  ['time of the whole run', run => run.summary.wall_seconds, clock],
-  ['memory at most', run => run.summary.memory.peak_bytes, bytes],
-  ['held to recognise places', run => run.summary.memory.map_bytes, bytes],
+  ['mean time per frame', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).mean, milliseconds],
+  ['time per frame, 95th percentile', run => ((run.summary.stage_times_ms || {}).whole_frame || {}).p95, milliseconds],
+  ['duration of the run', run => run.summary.wall_seconds, clock],
+  ['peak memory', run => run.summary.memory.peak_bytes, bytes],
+  ['memory of the map of places', run => run.summary.memory.map_bytes, bytes],
 ];
 
 function difference([first, second], write) {
@@ -90,7 +91,7 @@ function drawLoops() {
     data: loops.map(loop => ({value: [loop.candidate, loop.query], run, query: loop.query}))});
   draw('loops-chart', () => ({
     grid: matrixGrid,
-    legend: {}, tooltip: {formatter: item => captionOf(item.data.run, item.data.query)},
+    legend: {}, tooltip: {formatter: item => tooltipOf(item.data.run, item.data.query)},
     xAxis: {...frameAxis(frameCount), name: 'earlier frame'},
     yAxis: {...frameAxis(frameCount), name: 'frame', nameGap: 44, inverse: true},
     series: [series('both', 'circle', '#7f7f7f', common, runs[1]),

@@ -6,12 +6,7 @@ const frameCount = frameCountOf(run);
 /** Seconds since the first frame. */
 const secondsOf = frame => run.frames.timestamp[frame] - run.frames.timestamp[0];
 
-/** Text of an option in force; undefined in runs of versions without it. */
-const optionOf = (section, key) => (run.summary.options[section] || {})[key];
-
-/** The least support of a loop closure where support is a probability, else null. */
-const minProbability = optionOf('same_place', 'enabled') === 'true'
-  ? Number(optionOf('same_place', 'min_probability')) : null;
+const minProbability = minProbabilityOf(run);
 const supportMeaning = known(minProbability)
   ? 'the probability that the frame shows the place of its candidate; a loop closure needs at least '
     + `[same_place] min_probability = ${minProbability}`
@@ -25,8 +20,9 @@ const card = (value, what) => element('div', {class: 'card'}, element('b', {}, v
 function headlineWords(errors) {
   const meanings = [['loop closure', 'a frame that was recognised as a return to a place seen before']];
   if (run.evaluation) meanings.push(
-    ['precision', 'loop closures that are right, of those that are right or wrong'],
-    ['recall', 'frames with a right loop closure, of those that have one to find']);
+    ...Object.entries(truthKinds).map(([kind, {meaning}]) => [kind, meaning]),
+    ['precision', 'right loop closures, divided by right and wrong ones'],
+    ['recall', 'right loop closures, divided by the frames that have a loop to find']);
   if (known(errors.ate_input_m) || known(errors.ate_optimized_m)) meanings.push(
     ['absolute trajectory error (ATE)', 'root mean square distance of the positions from the true ones, after the best '
       + 'rotation and translation; before and after the loop closures were used']);
@@ -45,16 +41,65 @@ function fillHeadline() {
     card(number(run.loops.length), plural(run.loops.length, 'loop closure')),
   ];
   const errors = run.evaluation || {};
-  if (run.evaluation) cards.push(card(share(errors.precision), 'precision'), card(share(errors.recall), 'recall'));
+  if (run.evaluation) {
+    const {name} = run.protocols[0];
+    cards.push(card(share(errors.precision), `precision (${name})`), card(share(errors.recall), `recall (${name})`),
+               card(number(errors.wrong), `wrong ${plural(errors.wrong, 'loop closure')}`),
+               card(number(errors.missed), `missed ${plural(errors.missed, 'loop')}`));
+  }
   if (known(errors.ate_input_m)) cards.push(card(metres(errors.ate_input_m), 'trajectory error (ATE) before'));
   if (known(errors.ate_optimized_m)) cards.push(card(metres(errors.ate_optimized_m), 'trajectory error (ATE) after'));
   const whole = (summary.stage_times_ms || {}).whole_frame;
-  if (whole) cards.push(card(number(whole.mean, 0) + ' ms', 'a frame, on average'));
-  cards.push(card(bytes(summary.memory.peak_bytes), 'memory at most'));
+  if (whole) cards.push(card(number(whole.mean, 0) + ' ms', 'mean time per frame'));
+  cards.push(card(bytes(summary.memory.peak_bytes), 'peak memory'));
   byId('headline').append(...cards);
   byId('headline-words').append(explanation('What these numbers mean', headlineWords(errors)));
   for (const remark of run.remarks)
     byId('remarks').append(element('p', {class: 'note'}, remark));
+}
+
+// ---- Ground truth -----------------------------------------------------------------------------
+
+/** The score of the headline, the same by other protocols, and all other numbers. */
+function fillTruth() {
+  if (!run.evaluation) {
+    document.querySelector('nav a[href="#truth"]').remove();
+    return byId('truth').remove();
+  }
+  const rows = run.protocols.map(({name, rule, ...score}) => [
+    name, score.precision, score.recall, ...['right', 'wrong', 'doubtful', 'missed'].map(kind => number(score[kind])), rule]);
+  byId('protocols').append(...tableOf(['protocol', 'precision', 'recall', 'right', 'wrong', 'doubtful', 'missed', 'what it asks'], rows));
+  byId('protocols').querySelectorAll('tr > :last-child').forEach(cell => cell.className = 'text rule');
+  byId('protocols').querySelector('tbody tr').classList.add('sum');
+  byId('protocols-hint').textContent = run.protocols.length > 1
+    ? 'One run, one score for each rule by which a loop closure is right. The first is the score of this page.' : '';
+  const groups = new Map();
+  for (const {group, name, value, meaning} of run.metrics) groups.set(group, [...groups.get(group) || [], [name.trim(), value, meaning]]);
+  for (const [group, lines] of groups) {
+    if (group) byId('all-metrics').append(element('h4', {}, group));
+    const table = element('table', {class: 'metrics'}, ...tableOf(['number', 'value', 'meaning'], lines));
+    table.querySelectorAll('tr > :last-child').forEach(cell => cell.className = 'text rule');
+    byId('all-metrics').append(element('div', {class: 'scroll', tabindex: 0}, table));
+  }
+  drawPrecisionRecall();
+}
+
+function drawPrecisionRecall() {
+  const curves = Object.entries(run.curves).filter(([, points]) => points.length > 1);
+  if (!curves.length) return say(byId('curve-chart'), 'no loop query and no candidate: no curve');
+  const {precision, recall} = run.evaluation;
+  draw('curve-chart', () => ({
+    grid: plotGrid, legend: {},
+    tooltip: {formatter: ({seriesName, value}) => `${seriesName}: precision ${share(value[1])}, recall ${share(value[0])}`
+      + (known(value[2]) ? `, from ${number(value[2], 2)} up` : '')},
+    xAxis: {type: 'value', name: 'recall', nameLocation: 'middle', nameGap: 26, min: 0, max: 1},
+    yAxis: {type: 'value', name: 'precision', min: 0, max: 1},
+    series: [
+      ...curves.map(([name, points], i) => ({name: 'by ' + name, type: 'line', symbolSize: 5, showSymbol: false, color: palette[i ? 3 : 0],
+                                             lineStyle: {type: i ? 'dashed' : 'solid'}, data: points})),
+      {name: 'this run', type: 'scatter', symbolSize: 12, color: colour('ink'),
+       data: known(precision) && known(recall) ? [[recall, precision]] : []}],
+  }));
 }
 
 // ---- Pictures of pairs ------------------------------------------------------------------------
@@ -74,12 +119,23 @@ function rejectedWithPicture() {
     .sort((a, b) => f.support[b] - f.support[a]);
 }
 
+function fillWrongGallery() {
+  const wrong = framesOfKind(run, 'wrong');
+  const drawn = wrong.filter(query => pictureOf(run, query));
+  if (!wrong.length) return byId('wrong-loops').remove();
+  byId('wrong-title').textContent = `Wrong loop closures (${wrong.length})`;
+  byId('wrong-hint').textContent = (drawn.length < wrong.length ? `${drawn.length} of them have a picture here. ` : '')
+    + 'wrong_loops.csv, which rawlog-loop-closure --ground-truth and loop-closure-eval write, lists all.';
+  fillGallery(byId('wrong-gallery'), drawn.map(query => () => figureOf(run, query)), 'none of them has a picture');
+}
+
 function fillGalleries() {
   const f = run.frames;
   const accepted = run.loops.map(loop => loop.query);
   const drawn = accepted.filter(query => pictureOf(run, query));
   const weakest = [...drawn].sort((a, b) => f.support[a] - f.support[b]).slice(0, 2);
   const figures = queries => queries.map(query => () => figureOf(run, query));
+  fillWrongGallery();
   byId('support-hint').textContent = `Support: ${supportMeaning}.`;
   const noPictures = accepted.length ? 'no pictures were drawn: [render] max_match_pictures or [report] max_pictures is 0'
     : 'no loop closure was found';
@@ -112,13 +168,16 @@ function fillMap() {
     return say(byId('map-chart'), positions.length ? 'a single position makes no way to draw' : run.no_map_reason);
   }
   drawMapOf(positions, mapSeries, {legend: {selected: {[rejectedPairs]: false}}, tooltip: {trigger: 'item'}})
-    .on('click', item => { if (known(item.data?.query)) pin(item.data.query); });
+    .on('click', item => {
+      if (known(item.data?.query)) pin(item.data.query);
+      if (known(item.data?.frame)) showFrame(item.data.frame);
+    });
   fillMapScale();
 }
 
-/** What the colours of the loop closures say. */
+/** What the colours of the loop closures say, where the legend does not. */
 function fillMapScale() {
-  if (!run.loops.length) return;
+  if (!run.loops.length || run.truth) return;
   byId('map-scale').hidden = false;
   byId('map-fewest').textContent = 'loop closures: 0 inliers';
   byId('map-most').textContent = number(mostInliers);
@@ -143,7 +202,7 @@ function inlierColour(inliers) {
 function loopTooltip(query) {
   const picture = pictureOf(run, query);
   const image = picture ? `<img alt="" src="${picture}" style="width:100%;display:block">` : '';
-  return `<div class="edge-tooltip">${image}<div>${captionOf(run, query)}</div></div>`;
+  return `<div class="edge-tooltip">${image}<div>${tooltipOf(run, query)}</div></div>`;
 }
 
 function mapSeries() {
@@ -154,7 +213,7 @@ function mapSeries() {
     ...lines.filter(([name]) => run.trajectories[name])
       .map(([name, title, style]) => trajectoryLine(title, run.trajectories[name], style)),
     ...edgeSeries(rejectedPairs, rejectedWithPicture(), () => ({color: colour('faint'), width: 2, opacity: 0.6, type: 'dotted'})),
-    ...loopSeries(), ...endSeries()];
+    ...(run.truth ? judgedSeries() : loopSeries()), ...endSeries()];
 }
 
 /** Lines from candidate to query. One is short when the map is right: its query is marked too, so
@@ -182,6 +241,21 @@ function loopSeries() {
   });
 }
 
+/** Loop closures by what the truth says of them, and rings where one is missed. */
+function judgedSeries() {
+  const weights = new Map(run.loops.map(loop => [loop.query, loop.weight]));
+  const styleOf = kind => query => ({color: kindColour(kind), width: kind === 'wrong' ? 4 : 3,
+                                     opacity: weights.get(query) === 0 ? 0.5 : 0.9, type: weights.get(query) === 0 ? 'dotted' : 'solid'});
+  const loops = ['right', 'doubtful', 'wrong'].flatMap(kind =>
+    edgeSeries(`${kind} loop closures`, framesOfKind(run, kind), styleOf(kind)));
+  const at = bestTrajectory(run);
+  const missed = framesOfKind(run, 'missed').filter(frame => known(at[frame]));
+  if (!missed.length) return loops;
+  return [...loops, {name: 'missed loops', type: 'scatter', symbol: 'circle', symbolSize: 11, z: 4, itemStyle: markStyle('missed'),
+                     tooltip: {formatter: item => loopTooltip(item.data.frame)},
+                     data: missed.map(frame => ({frame, value: at[frame].slice(0, 2)}))}];
+}
+
 function endSeries() {
   const path = bestTrajectory(run).filter(known);
   if (path.length < 2) return [];
@@ -194,15 +268,29 @@ function endSeries() {
 
 // ---- Verdicts ---------------------------------------------------------------------------------
 
-/** Points of a column over frames: those of accepted and of rejected frames. */
-function acceptedAndRejected(column) {
+/** Points of a column over frames: accepted and rejected ones or, with truth, its kinds. */
+function pointsOverFrames(column) {
   const all = run.frames[column].map((value, frame) => ({value: [frame, value], frame}))
     .filter(({value, frame}) => known(value[1]) && known(run.frames.candidate[frame]));
-  const series = (name, fill, symbol, wanted) => ({
-    name, type: 'scatter', symbol, symbolSize: 5, itemStyle: {color: fill},
-    data: all.filter(({frame}) => (verdictOf(run, frame) === 'accepted') === wanted),
-  });
-  return [series('rejected', '#e69f00', 'triangle', false), series('accepted', colour('accent'), 'circle', true)];
+  const series = (name, itemStyle, symbol, wanted, symbolSize = 5) => ({
+    name, type: 'scatter', symbol, symbolSize, itemStyle, data: all.filter(({frame}) => wanted(frame))});
+  const isAccepted = frame => verdictOf(run, frame) === 'accepted';
+  if (!run.truth) return [series('rejected', {color: '#e69f00'}, 'triangle', frame => !isAccepted(frame)),
+                          series('accepted', {color: colour('accent')}, 'circle', isAccepted)];
+  const kinds = Object.entries(truthKinds).map(([kind, {symbol}]) =>
+    series(kind, markStyle(kind), symbol, frame => kindOf(run, frame) === kind, kind === 'right' ? 5 : 8));
+  return [series('rightly rejected', {color: colour('off')}, 'triangle', frame => !kindOf(run, frame)), ...kinds.filter(({data}) => data.length)];
+}
+
+/** From where on similarities are whitened, which makes them smaller: when so many frames are older
+ *  than the delay; null when it is off or never comes. */
+function firstWhitenedFrame() {
+  const least = Number(optionOf(run, 'index', 'whiten_from'));
+  if (!(least > 0)) return null;
+  const times = run.frames.timestamp;
+  const delay = Number(optionOf(run, 'index', 'delay_seconds'));
+  const first = times.findIndex(time => times[least - 1] <= time - delay);
+  return first > 0 ? first : null;
 }
 
 /** Of `threshold`: value, name and, for a column that has one, the greatest possible value, `most`. */
@@ -215,13 +303,17 @@ function drawOverFrames(id, column, title, threshold, digits) {
     label: {formatter: threshold.name, position: known(threshold.most) ? 'insideStartBottom' : 'insideStartTop',
             color: colour('ink'), textBorderColor: colour('page'), textBorderWidth: 3},
   });
+  const whitened = column === 'similarity' ? firstWhitenedFrame() : null;
+  const whitening = {silent: true, symbol: 'none', data: [{xAxis: whitened}], lineStyle: {color: colour('faint'), type: 'dotted'},
+                     label: {formatter: 'whitened from here on', position: 'insideEndTop', rotate: 0, align: 'left', color: colour('faint')}};
   const room = extent => extent.max > threshold.value * 1.1 ? null : threshold.value * 1.1;
   const chart = draw(id, () => {
-    const series = acceptedAndRejected(column);
+    const series = pointsOverFrames(column);
     if (threshold) series[0].markLine = line();
+    else if (known(whitened)) series[0].markLine = whitening;
     return {
       grid: plotGrid, legend: {}, dataZoom: zoom,
-      tooltip: {formatter: item => known(item.data.frame) ? captionOf(run, item.data.frame) : ''},
+      tooltip: {formatter: item => known(item.data.frame) ? tooltipOf(run, item.data.frame) : ''},
       xAxis: frameAxis(frameCount),
       yAxis: {type: 'value', name: title, axisLabel: {formatter: atMost(digits)},
               max: threshold ? threshold.most ?? room : null},
@@ -232,12 +324,14 @@ function drawOverFrames(id, column, title, threshold, digits) {
 }
 
 function drawVerdictCharts() {
-  const inliers = Number(optionOf('verification', 'min_inliers'));
-  drawOverFrames('inliers-chart', 'inliers', 'inliers', inliers > 0 && {value: inliers, name: `min_inliers = ${inliers}`}, 0);
+  const inliers = Number(optionOf(run, 'verification', 'min_inliers'));
+  // With [same_place] more inliers alone do not make a loop closure.
+  const inliersName = `min_inliers = ${inliers}` + (known(minProbability) ? ', needed before support is measured' : '');
+  drawOverFrames('inliers-chart', 'inliers', 'inliers', inliers > 0 && {value: inliers, name: inliersName}, 0);
   drawOverFrames('support-chart', 'support', 'support',
                  known(minProbability) ? {value: minProbability, name: `min_probability = ${minProbability}`, most: 1}
                    : {value: 1, name: 'verified from 1 up'}, 1);
-  const similarity = Number(optionOf('index', 'min_similarity'));
+  const similarity = Number(optionOf(run, 'index', 'min_similarity'));
   drawOverFrames('similarity-chart', 'similarity', 'similarity',
                  similarity > -1 && {value: similarity, name: `min_similarity = ${similarity}`}, 1);
   drawReasons();
@@ -258,51 +352,40 @@ function drawReasons() {
               data: sorted.map(([name, count]) => ({value: count, itemStyle: {
                 color: name === 'accepted' ? colour('accent') : '#e69f00'}})),
               label: {show: true, position: 'right', color: colour('ink')}}],
-  })).on('click', item => { byId('filter-verdict').value = sorted[item.dataIndex][0]; showPage(0); });
+  })).on('click', item => {
+    byId('filter-verdict').value = sorted[item.dataIndex][0];
+    byId('filter-truth').value = byId('filter-frame').value = '';
+    showPage(0);
+  });
   byId('verdict-words').append(explanation('What the verdicts mean', [...sorted].reverse()
-    .map(([name]) => [words(name), verdictMeanings[name] || 'a word of another version of mrpt-fild'])));
+    .map(([name]) => [words(name), run.verdict_meanings[name] || 'a word of another version of mrpt-fild'])));
 }
 
-/** The words of Rejection in verdict.h, for a reader. */
-const verdictMeanings = {
-  accepted: 'a loop closure: the frame shows the place that its candidate shows',
-  missing_image: 'the image file is not there, or is no image; the frame is passed over',
-  image_size_changed: 'cannot be scaled to the size of this camera\'s first image; the frame is passed over',
-  repeated_timestamp: 'it has the time stamp of this camera\'s frame before; the frame is passed over',
-  unsupported_image: 'neither 8 bit grey nor 8 bit colour; the frame is passed over',
-  too_early: 'no frame is old enough to be returned to: [index] delay_seconds',
-  no_candidate: 'the search among earlier frames had no answer',
-  below_similarity: 'no earlier frame is similar enough: [index] min_similarity',
-  too_few_matches: 'fewer keypoints match than inliers are asked for',
-  no_model: 'no motion of the camera explains the matches',
-  too_few_inliers: 'too few matches agree with one motion of the camera: [verification] min_inliers',
-  may_be_chance: 'the inliers may agree by chance: the probability is below [same_place] min_probability',
-  may_be_look_alike: 'the two frames may show two places that look alike: the probability is below [same_place] '
-    + 'min_probability',
-  not_consistent_yet: 'the pair alone convinces, but the frames before it do not confirm it: [consistency] belief or '
-    + 'consecutive_frames',
-};
-
+const numberOfCandidate = column => frame => known(run.frames.candidate[frame]) ? run.frames[column][frame] : null;
 const ofCandidate = (column, digits) => frame => known(run.frames.candidate[frame]) ? number(run.frames[column][frame], digits) : '';
-// What matters most first: on a phone the others are reached by scrolling.
+// What matters most first: on a phone the others are reached by scrolling. The last of each sorts.
 const columns = [
-  ['frame', frame => String(frame)],
+  ['frame', frame => String(frame), '', frame => frame],
   ['time, s', frame => number(secondsOf(frame), 2)],
-  ['verdict', frame => words(verdictOf(run, frame)), 'text'],
-  ['candidate', candidateCell],
-  ['similarity', ofCandidate('similarity', 3)],
-  ['matches', ofCandidate('matches', 0)],
-  ['inliers', ofCandidate('inliers', 0)],
-  ['support', ofCandidate('support', 3)],
-  ['keypoints', frame => number(run.frames.keypoints[frame])],
+  ['verdict', frame => words(verdictOf(run, frame)), 'text', frame => verdictOf(run, frame)],
+  ...(run.truth ? [['truth', truthCell, 'text', frame => kindOf(run, frame)]] : []),
+  ['candidate', candidateCell, '', frame => run.frames.candidate[frame]],
+  ['support', ofCandidate('support', 3), '', numberOfCandidate('support')],
+  ['inliers', ofCandidate('inliers', 0), '', numberOfCandidate('inliers')],
+  ['matches', ofCandidate('matches', 0), '', numberOfCandidate('matches')],
+  ['similarity', ofCandidate('similarity', 3), '', numberOfCandidate('similarity')],
+  ['keypoints', frame => number(run.frames.keypoints[frame]), '', frame => run.frames.keypoints[frame]],
   ['camera', frame => run.frames.sensors[run.frames.sensor[frame]], 'text'],
 ];
 const columnMeanings = [
+  ['verdict', 'whether the frame is a loop closure, or why it is rejected'],
+  ...(run.truth ? [['truth', 'what the ground truth says of that; empty: rightly rejected']] : []),
   ['candidate', 'the earlier frame with the best evidence; a button shows the picture of the pair'],
-  ['similarity', 'of both images as a whole: cosine of their global descriptors, -1 to 1'],
-  ['matches', 'keypoints of one image that were found in the other'],
-  ['inliers', 'matches that agree with one motion of the camera'],
   ['support', supportMeaning],
+  ['inliers', 'matches that agree with one motion of the camera'],
+  ['matches', 'keypoints of one image that were found in the other'],
+  ['similarity', 'of both images as a whole: cosine of their global descriptors, -1 to 1. Once the map holds [index] '
+    + 'whiten_from frames they are whitened: what all images of the map have in common is taken out, and similarities drop'],
   ['keypoints', 'distinctive points found in the image'],
 ];
 const rowsPerPage = 25;
@@ -318,30 +401,73 @@ function candidateCell(frame) {
     const isOpen = currentTarget.getAttribute('aria-expanded') === 'true';
     currentTarget.setAttribute('aria-expanded', String(!isOpen));
     if (isOpen) return row.nextElementSibling.remove();
-    row.after(element('tr', {class: 'picture'}, element('td', {class: 'wide', colspan: columns.length}, figureOf(run, frame))));
+    row.after(element('tr', {class: 'opened'}, element('td', {class: 'wide', colspan: columns.length}, figureOf(run, frame))));
   }}, String(candidate));
 }
 
-/** The frames that the filter lets through; none when a number is not one. */
+function truthCell(frame) {
+  const kind = kindOf(run, frame);
+  if (!kind) return '';
+  const {place} = missedLoops(run).get(frame) || {};
+  return element('span', {}, badge(kind), kind === 'missed' && known(place) ? ` at ${place}` : '');
+}
+
+/** Ranges of frames out of `120`, `100-200` or several with commas; null when it is none of these. */
+function parseRanges(text) {
+  if (!text) return [];
+  const parts = text.split(',').map(part => part.trim().match(/^(\d+)(?:\s*-\s*(\d+))?$/));
+  return parts.every(Boolean) ? parts.map(([, first, last]) => ({
+    isSingle: !known(last), first: Math.min(first, last ?? first), last: Math.max(first, last ?? first)})) : null;
+}
+
+const withCandidate = run.truth ? 'with a candidate, or missed' : 'with a candidate';
+
+/** The frames that the filter lets through, as sorted; null when the range cannot be read. */
 function filteredFrames() {
   const verdict = byId('filter-verdict').value;
-  const text = byId('filter-frame').value.trim();
-  const range = text.match(/^(\d+)(?:\s*-\s*(\d+))?$/);
-  const inRange = frame => {
-    if (!range) return text === '';
-    const [first, last] = [Number(range[1]), Number(range[2] ?? range[1])];
-    const candidate = run.frames.candidate[frame];
-    return (frame >= first && frame <= last) || (!range[2] && candidate === first);
-  };
-  return Array.from({length: frameCount}, (_, frame) => frame)
-    .filter(frame => (!verdict || verdictOf(run, frame) === verdict) && inRange(frame));
+  const kind = byId('filter-truth').value;
+  const ranges = parseRanges(byId('filter-frame').value.trim());
+  if (!ranges) return null;
+  const inRange = frame => !ranges.length || ranges.some(({isSingle, first, last}) =>
+    (frame >= first && frame <= last) || (isSingle && run.frames.candidate[frame] === first));
+  const hasVerdict = frame => !verdict || (verdict === withCandidate ? known(run.frames.candidate[frame])
+    || kindOf(run, frame) === 'missed' : verdictOf(run, frame) === verdict);
+  const frames = Array.from({length: frameCount}, (_, frame) => frame)
+    .filter(frame => hasVerdict(frame) && (!kind || kindOf(run, frame) === kind) && inRange(frame));
+  return sortedFrames(frames);
+}
+
+/** Of the column that a click on its head chose; frames without a value last. */
+let sorting = {column: -1, isDescending: false};
+
+function sortedFrames(frames) {
+  const [, , , key] = columns[sorting.column] || [];
+  if (!key) return frames;
+  const sign = sorting.isDescending ? -1 : 1;
+  const compare = (a, b) => typeof a === 'string' ? a.localeCompare(b) : a - b;
+  return frames.sort((a, b) => !known(key(a)) || !known(key(b)) ? Number(!known(key(a))) - Number(!known(key(b)))
+    : sign * compare(key(a), key(b)));
+}
+
+function columnHead([name, , kind, key], column) {
+  if (!key) return element('th', {class: kind || ''}, name);
+  const isSorted = sorting.column === column;
+  return element('th', {class: kind || '', 'aria-sort': !isSorted ? 'none' : sorting.isDescending ? 'descending' : 'ascending'},
+    element('button', {type: 'button', class: 'sort', title: 'sort by ' + name, onclick: () => {
+      sorting = {column, isDescending: isSorted && !sorting.isDescending};
+      showPage(0);
+    }}, name + (isSorted ? sorting.isDescending ? ' \u25bc' : ' \u25b2' : '')));
 }
 
 function showPage(wanted) {
   const frames = filteredFrames();
+  if (!frames) {
+    byId('filter-count').textContent = 'not a frame, a range or a list of them: 120, 100-200 or 12,14';
+    return byId('frames').querySelector('tbody').replaceChildren();
+  }
   const pages = Math.max(1, Math.ceil(frames.length / rowsPerPage));
   page = Math.min(Math.max(0, wanted), pages - 1);
-  const head = element('tr', {}, ...columns.map(([name, , kind]) => element('th', {class: kind || ''}, name)));
+  const head = element('tr', {}, ...columns.map(columnHead));
   const rows = frames.slice(page * rowsPerPage, (page + 1) * rowsPerPage).map(frame =>
     element('tr', {'data-frame': frame}, ...columns.map(([, value, kind]) => element('td', {class: kind || ''}, value(frame)))));
   byId('frames').replaceChildren(element('thead', {}, head), element('tbody', {}, ...rows));
@@ -356,7 +482,7 @@ function showPage(wanted) {
 }
 
 function showFrame(frame) {
-  byId('filter-verdict').value = '';
+  byId('filter-verdict').value = byId('filter-truth').value = '';
   byId('filter-frame').value = String(frame);
   showPage(0);
   byId('frames').querySelector(`tr[data-frame="${frame}"] button`)?.click();
@@ -364,9 +490,17 @@ function showFrame(frame) {
 }
 
 function fillTable() {
-  const verdicts = [...new Set(Array.from({length: frameCount}, (_, frame) => verdictOf(run, frame)))].sort();
-  byId('filter-verdict').append(element('option', {value: ''}, 'all'),
-                                ...verdicts.map(name => element('option', {value: name}, words(name))));
+  const all = Array.from({length: frameCount}, (_, frame) => frame);
+  const verdicts = [...new Set(all.map(frame => verdictOf(run, frame)))].sort();
+  const option = (value, name) => element('option', {value}, name);
+  byId('filter-verdict').append(option('', 'all'), ...verdicts.map(name => option(name, words(name))));
+  if (run.frames.candidate.some(known)) {
+    byId('filter-verdict').append(option(withCandidate, withCandidate));
+    byId('filter-verdict').value = withCandidate;
+  }
+  const kinds = Object.keys(truthKinds).filter(kind => framesOfKind(run, kind).length);
+  byId('filter-truth').append(option('', 'all'), ...kinds.map(kind => option(kind, kind)));
+  if (!run.truth) byId('filter-truth').parentElement.hidden = true;
   byId('filter').addEventListener('input', () => showPage(0));
   byId('filter').addEventListener('submit', event => event.preventDefault());
   byId('column-words').append(explanation('What the columns mean', columnMeanings));
@@ -417,8 +551,20 @@ function paintSimilarities(matrix) {
   return brightest;
 }
 
-// Above the diagonal, where the matrix has nothing: on it they would hide what they are to be compared with.
-const mirroredLoops = 'accepted loop closures (mirrored)';
+/** Above the diagonal, where the matrix has nothing: on it they would hide what they are to be compared
+ *  with. A missed loop stands where the truth has it. */
+function mirroredLoops() {
+  const size = run.loops.length > 100 ? 4 : 7;
+  const series = (name, itemStyle, symbol, symbolSize, pairs) => ({
+    type: 'scatter', name: name + ' (mirrored)', symbol, symbolSize, z: 3, itemStyle,
+    data: pairs.map(([query, place]) => ({value: [query, place], query}))});
+  const pairOf = query => [query, run.frames.candidate[query]];
+  if (!run.truth) return [series('accepted loop closures', {color: colour('accent')}, 'circle', size, run.loops.map(loop => pairOf(loop.query)))];
+  const pairsOf = kind => framesOfKind(run, kind).map(query =>
+    kind === 'missed' ? [query, missedLoops(run).get(query).place] : pairOf(query)).filter(([, place]) => known(place));
+  return Object.entries(truthKinds).map(([kind, {symbol}]) =>
+    series(kind, markStyle(kind), symbol, kind === 'right' ? size : size + 3, pairsOf(kind))).filter(({data}) => data.length);
+}
 
 async function drawMatrix() {
   if (!run.similarity || frameCount < 2)
@@ -432,8 +578,8 @@ async function drawMatrix() {
   byId('matrix-brightest').textContent = `${number(brightest, 2)} or more`;
   const chart = draw('matrix-chart', () => ({
     grid: matrixGrid,
-    legend: {data: [mirroredLoops]},
-    tooltip: {formatter: item => known(item.data.query) ? captionOf(run, item.data.query) : ''},
+    legend: {data: mirroredLoops().map(({name}) => name)},
+    tooltip: {formatter: item => known(item.data.query) ? tooltipOf(run, item.data.query) : ''},
     xAxis: {...frameAxis(frameCount), name: 'earlier frame', max: frameCount},
     yAxis: {...frameAxis(frameCount), name: 'frame', nameGap: 44, max: frameCount, inverse: true},
     series: [
@@ -443,8 +589,7 @@ async function drawMatrix() {
          const [x1, y1] = api.coord([covered, covered]);
          return {type: 'image', style: {image: matrix.canvas, x: x0, y: y0, width: x1 - x0, height: y1 - y0}};
        }, clip: true},
-      {type: 'scatter', name: mirroredLoops, symbolSize: run.loops.length > 100 ? 4 : 7, z: 3, itemStyle: {color: colour('accent')},
-       data: run.loops.map(loop => ({value: [loop.query, loop.candidate], query: loop.query}))},
+      ...mirroredLoops(),
     ],
   }));
   chart.on('click', item => { if (known(item.data?.query)) showFrame(item.data.query); });
@@ -473,7 +618,7 @@ function fillTime() {
 function fillStages(times) {
   const stages = [...frameStages, 'whole_frame'].filter(name => times[name]);
   byId('stages').append(...tableOf(
-    ['stage', 'calls', 'mean of a call, ms', 'median, ms', '95 % are below, ms', 'longest, ms', 'in all, s'],
+    ['stage', 'calls', 'mean, ms', 'median, ms', '95th percentile, ms', 'longest, ms', 'total, s'],
     [...stages, ...Object.keys(times).filter(name => !stages.includes(name))].map(name => [
       words(name), number(times[name].calls), ...['mean', 'median', 'p95', 'max'].map(key => number(times[name][key], 2)),
       number(times[name].total / 1000, 1)])));
@@ -503,7 +648,7 @@ function drawCosts() {
     data: points(costs.ms[name], 1)})));
   chart('memory-chart', 'MB', 1, () => [
     {name: 'memory of the process', data: points(costs.resident_bytes, 1e-6)},
-    {name: 'held to recognise places', data: points(costs.map_bytes, 1e-6)}]);
+    {name: 'memory of the map of places', data: points(costs.map_bytes, 1e-6)}]);
 }
 
 // ---- Pose graph -------------------------------------------------------------------------------
@@ -511,6 +656,16 @@ function drawCosts() {
 /** `{a: 3, b: 1, c: 0}` as "3 a, 1 b". */
 const counted = counts => Object.entries(counts || {}).filter(([, count]) => count)
   .map(([word, count]) => `${number(count)} ${words(word)}`).join(', ') || 'none';
+
+/** How chi\u00b2 after optimisation compares with what the claimed uncertainties predict. */
+function fitFacts(map, parts) {
+  const freedom = 6 * (map.odometry_edges + map.loop_edges - (map.nodes - parts));
+  if (!(freedom > 0) || !known(map.chi2_after)) return [];
+  const ratio = map.chi2_after / freedom;
+  const verdict = ratio > 2 ? 'more: the edges contradict each other by more than their standard deviations allow'
+    : ratio < 0.5 ? 'less: the edges agree better than their standard deviations claim' : 'as expected';
+  return [['chi\u00b2 expected after: degrees of freedom', `${number(freedom)}; it is ${number(ratio, 2)} of that, ${verdict}`]];
+}
 
 function graphFacts(map) {
   const parts = map.parts || [];
@@ -520,17 +675,18 @@ function graphFacts(map) {
     ['keyframes', number(map.nodes)],
     ['edges of the motion', number(map.odometry_edges)],
     ['loop edges', number(map.loop_edges)],
-    ['loop edges without weight: the optimiser does not believe them', counted(map.loops_without_weight)],
+    ['loop edges with weight 0: rejected as outliers by the optimiser', counted(map.loops_without_weight)],
     ['loop closures without an edge', counted(map.loops_withheld)],
-    ['chi\u00b2: sum of the squared errors of the edges, in standard deviations',
+    ['chi\u00b2: sum of the squared errors of the edges, each divided by its standard deviation',
      `${large(map.chi2_before)} before, ${large(map.chi2_after)} after`],
-    ['parts that nothing connects', parts.length > 1 ? `${parts.length}, of ${parts.map(p => number(p)).join(', ')} keyframes` : 'none: it is whole'],
+    ...fitFacts(map, parts.length || 1),
+    ['parts without an edge between them', parts.length > 1 ? `${parts.length}, of ${parts.map(p => number(p)).join(', ')} keyframes` : 'none: the graph is connected'],
     ['optimisations', number(map.optimizations)],
     ['frames without a pose', number(map.frames_without_pose)],
-    ['faults of the odometry', counted({resets: map.resets, gaps: map.gaps, clock_jumps: map.clock_jumps,
+    ['odometry faults', counted({resets: map.resets, gaps: map.gaps, clock_jumps: map.clock_jumps,
                                         unusable_readings: map.unusable_readings})],
-    ['frames by where their depths come from', counted({...sources, without_depth: none})],
-    ['frames whose depths are of no use', counted(map.depth_defects)],
+    ['frames by source of depth', counted({...sources, without_depth: none})],
+    ['frames with unusable depth', counted(map.depth_defects)],
   ];
 }
 
@@ -564,13 +720,31 @@ function drawEdgeNumbers(id, series, nothing) {
   }));
 }
 
+const median = sorted => sorted.length ? (sorted[(sorted.length - 1) >> 1] + sorted[sorted.length >> 1]) / 2 : null;
+
+/** Errors of the edges against what they claim of themselves. */
+function fillEdgeVerdict() {
+  const loops = run.loops.filter(loop => known(loop.truth_error_m) && loop.translation_sd_m > 0 && loop.weight !== 0);
+  if (!loops.length) return;
+  const ascending = values => values.sort((a, b) => a - b);
+  const errors = ascending(loops.map(loop => loop.truth_error_m));
+  const ratios = ascending(loops.map(loop => loop.truth_error_m / loop.translation_sd_m));
+  const over = sigmas => `${number(100 * ratios.filter(ratio => ratio > sigmas).length / ratios.length, 1)}\u00a0%`;
+  const verdict = median(ratios) > 1.3 ? 'The edges claim to be more exact than they are.'
+    : median(ratios) < 0.4 ? 'The edges are more exact than they claim.' : 'The edges are about as exact as they claim.';
+  byId('edge-verdict').textContent = `${counting(loops.length, 'loop edge')} with a weight, against the ground truth: the position is off by ${
+    length(median(errors))} in the median, which is ${number(median(ratios), 2)} of the standard deviation that the edge claims; ${
+    over(2)} are off by more than 2 of them, ${over(3)} by more than 3 (right claims: median 0.7 to 0.9, at most about 5\u00a0% and 0.3\u00a0%). ${verdict}`;
+}
+
 function drawEdges() {
+  fillEdgeVerdict();
   const nothing = run.loops.length ? 'no loop closure became an edge of the graph' : 'no loop closure was found';
   drawEdgeNumbers('edges-chart', [
     ['before optimisation', '#d55e00', 'triangle', 'residual_before_m'],
     ['after optimisation', 'accent', 'circle', 'residual_after_m']], nothing);
   drawEdgeNumbers('deviations-chart', [
-    ['standard deviation that the edge claims', '#009e73', 'rect', 'translation_sd_m'],
+    ['claimed standard deviation', '#009e73', 'rect', 'translation_sd_m'],
     ['error against the ground truth', '#cc79a7', 'diamond', 'truth_error_m']], nothing);
 }
 
@@ -589,7 +763,11 @@ function fillRun() {
   panel.append(element('h3', {}, 'Versions and model'), factsTable([
     ...Object.entries(summary.versions), ['model', summary.model.file], ['SHA-256 of the model', summary.model.sha256],
     ['seed', (summary.options.runtime || {}).seed ?? '-'],
-    ['time of the whole run', known(summary.wall_seconds) ? clock(summary.wall_seconds) : '-']]));
+    ['duration of the run', known(summary.wall_seconds) ? clock(summary.wall_seconds) : '-'],
+    ...(summary.finished ? [['finished', summary.finished]] : [])]));
+  if ((run.files || []).length)
+    panel.append(element('h3', {}, 'Files beside this page'), element('p', {class: 'files'}, ...run.files.flatMap((name, i) =>
+      [i ? ', ' : '', element('a', {href: name}, name)])));
   panel.append(element('h3', {}, 'Options in force'));
   for (const [section, options] of Object.entries(summary.options))
     panel.append(element('details', {}, element('summary', {}, '[' + section + ']'), factsTable(Object.entries(options))));
@@ -598,6 +776,7 @@ function fillRun() {
 }
 
 fillHeadline();
+fillTruth();
 fillMap();
 fillGalleries();
 drawVerdictCharts();

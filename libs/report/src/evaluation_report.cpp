@@ -51,18 +51,25 @@ std::string format_range(const MetricRange& range, bool several)
     return mean + " [" + format_value(range.min, kind) + ", " + format_value(range.max, kind) + "]";
 }
 
+void write_wrong_and_missed_loops(const EvaluationReport& report, const std::string& folder)
+{
+    const std::filesystem::path path(folder);
+    write_text_file(path / "wrong_loops.csv", wrong_loops_csv(report));
+    const bool know_candidates =
+        std::all_of(report.runs.begin(),
+                    report.runs.end(),
+                    [](const RunEvaluation& run) { return run.candidates; });
+    if (know_candidates) write_text_file(path / "missed_loops.csv", missed_loops_csv(report));
+}
+
 void write_evaluation(const EvaluationReport& report, const std::string& folder)
 {
     const auto path = make_folder(folder);
-    write_text_file(path / "wrong_loops.csv", wrong_loops_csv(report));
+    write_wrong_and_missed_loops(report, folder);
     write_text_file(path / "curve_inliers.csv", curve_csv(report, ScoreKind::inliers));
     write_text_file(path / "curve_similarity.csv", curve_csv(report, ScoreKind::similarity));
     write_text_file(path / "stretches.csv", stretches_csv(report));
     write_text_file(path / "runs.csv", runs_csv(report));
-    if (std::all_of(report.runs.begin(),
-                    report.runs.end(),
-                    [](const RunEvaluation& run) { return run.candidates; }))
-        write_text_file(path / "missed_loops.csv", missed_loops_csv(report));
     write_text_file(path / "evaluation.tex", evaluation_tex(report));
     write_text_file(path / "precision_recall.svg", precision_recall_svg(report));
     write_text_file(path / "evaluation.json", evaluation_json(report));

@@ -9,7 +9,9 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string_view>
+#include <vector>
 
 namespace fild
 {
@@ -94,18 +96,50 @@ void write_page(std::string_view html,
 }
 }  // namespace
 
+namespace
+{
+/** Results in the folder that a reader may want to open. */
+std::vector<std::string> files_beside(const std::string& folder)
+{
+    std::vector<std::string> there;
+    for (const auto* name : {"frames.csv",
+                             "loops.csv",
+                             "candidates.csv",
+                             "wrong_loops.csv",
+                             "missed_loops.csv",
+                             "costs.csv",
+                             "summary.json",
+                             "poses.csv",
+                             "trajectory_optimized.tum",
+                             "poses.graph",
+                             "poses.g2o",
+                             "map.simplemap",
+                             "map.3Dscene",
+                             "map_top.png",
+                             "map_perspective.png"})
+        if (std::filesystem::exists(std::filesystem::path(folder) / name)) there.emplace_back(name);
+    return there;
+}
+}  // namespace
+
 void write_html_report(const std::string& folder,
                        const TReportOptions& options,
                        const std::optional<ReportTruth>& truth)
 {
     const auto run = read_run_folder(folder);
     auto json = run_json(run, truth);
+    std::set<FrameId> wrong;
+    if (truth)
+        for (const auto& loop : truth->evaluation.score.wrong_loops)
+            wrong.insert(loop.verdict.frame);
     add_pictures(json,
                  folder,
-                 frames_to_show(folder, run.frames, options),
+                 frames_to_show(folder, run.frames, options, wrong),
                  static_cast<std::size_t>(options.max_pictures),
                  options.picture_width_px);
     json["map_pictures"] = map_pictures_json(folder);
+    json["has_matches_beside"] = true;
+    json["files"] = files_beside(folder);
     const auto similarity = folder + "/similarity.png";
     if (std::filesystem::exists(similarity)) json["similarity"] = data_url_of_png(similarity);
     write_page(kReportHtml, kReportJs, json, std::filesystem::path(folder) / "report.html");

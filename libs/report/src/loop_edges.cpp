@@ -93,15 +93,13 @@ void add_edge(Json& json,
               const FrameVerdict& loop,
               const std::map<std::string, PosesOfFrames>& trajectories)
 {
-    const auto optimized = poses_of(loop, "optimized", trajectories);
     add_residual(json, "before", edge, poses_of(loop, "input", trajectories));
-    add_residual(json, "after", edge, optimized);
+    add_residual(json, "after", edge, poses_of(loop, "optimized", trajectories));
     const auto truth = poses_of(loop, "truth", trajectories);
-    if (!truth || !optimized) return;
-    // The axes of the true poses may be another body's, so those of the map turn the edge.
-    const auto way = optimized->candidate.rotation * edge.position;
-    json["truth_error_m"] =
-        rounded(cv::norm(way - (truth->query.position - truth->candidate.position)), 6);
+    if (!truth) return;
+    const cv::Vec3d true_position =
+        truth->candidate.rotation.t() * (truth->query.position - truth->candidate.position);
+    json["truth_error_m"] = rounded(cv::norm(edge.position - true_position), 6);
 }
 }  // namespace
 

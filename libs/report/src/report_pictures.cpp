@@ -61,26 +61,34 @@ Json urls_of(const std::string& folder,
 
 std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
                                                 const std::vector<FrameVerdict>& frames,
-                                                const TReportOptions& options)
+                                                const TReportOptions& options,
+                                                const std::set<FrameId>& wrong)
 {
+    std::vector<const FrameVerdict*> shown;
     std::vector<const FrameVerdict*> accepted;
-    std::vector<const FrameVerdict*> chosen;
+    std::vector<const FrameVerdict*> rejected;
     for (const auto& frame : frames)
-        if (frame.candidate && !match_picture_of(folder, frame).empty())
-            (frame.accepted() ? accepted : chosen).push_back(&frame);
+    {
+        if (!frame.candidate || match_picture_of(folder, frame).empty()) continue;
+        const bool is_wrong = frame.accepted() && wrong.count(frame.frame) != 0;
+        (is_wrong ? shown : frame.accepted() ? accepted : rejected).push_back(&frame);
+    }
     std::stable_sort(accepted.begin(),
                      accepted.end(),
                      [](const auto* a, const auto* b) { return a->support < b->support; });
-    std::stable_sort(chosen.begin(),
-                     chosen.end(),
+    std::stable_sort(rejected.begin(),
+                     rejected.end(),
                      [](const auto* a, const auto* b) { return a->support > b->support; });
     const auto limit = static_cast<std::size_t>(options.max_pictures);
+    shown.resize(std::min(shown.size(), limit));
+    const auto room = limit - shown.size();
     // Rejected pairs may have at most half of the room.
-    chosen.resize(
-        std::min(chosen.size(), std::max(limit / 2, limit - std::min(limit, accepted.size()))));
-    for (const auto i : spread_indices(limit - chosen.size(), accepted.size()))
-        chosen.push_back(accepted[i]);
-    return chosen;
+    rejected.resize(
+        std::min(rejected.size(), std::max(room / 2, room - std::min(room, accepted.size()))));
+    shown.insert(shown.end(), rejected.begin(), rejected.end());
+    for (const auto i : spread_indices(limit - shown.size(), accepted.size()))
+        shown.push_back(accepted[i]);
+    return shown;
 }
 
 void add_pictures(Json& page,

@@ -7,17 +7,20 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace fild
 {
 /** Frames whose pair has a match picture in the folder, at most options.max_pictures, or half of
- *  that when they have pictures in 3D as well: those of rejected pairs first, then the loop
- * closures spread from the weakest to the strongest. */
+ *  that when they have pictures in 3D as well: wrong loop closures first, then rejected pairs, then
+ *  the other loop closures spread from the weakest to the strongest.
+ *  \param wrong  frames whose loop closure is wrong. */
 std::vector<const FrameVerdict*> frames_to_show(const std::string& folder,
                                                 const std::vector<FrameVerdict>& frames,
-                                                const TReportOptions& options);
+                                                const TReportOptions& options,
+                                                const std::set<FrameId>& wrong = {});
 
 /** Puts `pictures` into the page: of these frames those with a match picture, `QUERY_CANDIDATE` to
  * an URL that holds it. And `pictures_3d`: of pairs that have one, evenly over `frames`, so that

@@ -2,6 +2,7 @@
 #include "run_folder.h"
 
 #include "csv_table.h"
+#include "evaluation_parts.h"
 #include "fild/core/spread.h"
 #include "fild/evaluation/frames_csv.h"
 #include "fild/evaluation/metric.h"
@@ -132,6 +133,108 @@ Json evaluation_json(const RunEvaluation& evaluation)
     return json;
 }
 
+/** All metrics that have a value, as a reader wants them. */
+Json metrics_json(const RunEvaluation& evaluation)
+{
+    Json rows = Json::array();
+    for (const auto& metric : metrics_of(evaluation))
+        if (metric.value || !metric.left_out_without_value)
+            rows.push_back(
+                {{"group", metric.group},
+                 {"name", metric.name},
+                 {"value", metric.value ? format_value(*metric.value, metric.kind) : "-"},
+                 {"meaning", metric.meaning}});
+    return rows;
+}
+
+Json word_of(const std::optional<Judgement>& judgement)
+{
+    if (!judgement) return nullptr;
+    return *judgement == Judgement::right   ? "right"
+           : *judgement == Judgement::wrong ? "wrong"
+                                            : "doubtful";
+}
+
+/** `judgement` of each frame's candidate, accepted or not; `missed`: each loop query without a right
+ *  loop closure, a frame at its place and the stage that lost it, as far as they are known. */
+Json truth_json(const RunEvaluation& evaluation)
+{
+    std::map<FrameId, LossStage> stages;
+    if (evaluation.candidates)
+        for (const auto& lost : evaluation.candidates->lost) stages[lost.frame] = lost.stage;
+    Json json = {{"judgement", Json::array()}, {"missed", Json::array()}};
+    for (const auto& frame : evaluation.frames)
+    {
+        json["judgement"].push_back(word_of(frame.judgement));
+        if (!frame.loop_query || frame.answered()) continue;
+        Json missed = {{"frame", to_index(frame.verdict.frame)}};
+        if (frame.true_candidate) missed["place"] = to_index(*frame.true_candidate);
+        if (const auto stage = stages.find(frame.verdict.frame); stage != stages.end())
+        {
+            missed["stage"] = to_word(stage->second);
+            missed["why"] = meaning_of(stage->second);
+        }
+        json["missed"].push_back(missed);
+    }
+    return json;
+}
+
+Json protocol_json(const ProtocolScore& scored)
+{
+    const auto& [protocol, score] = scored;
+    const auto text = [](const std::optional<double>& share)
+    { return share ? format_value(*share, Metric::Kind::share) : "-"; };
+    return {{"name", to_word(protocol)},
+            {"rule", rule_of(protocol)},
+            {"precision", text(score.precision())},
+            {"recall", text(score.recall())},
+            {"right", score.right},
+            {"wrong", score.wrong_loops.size()},
+            {"doubtful", score.neither},
+            {"missed", score.missed()}};
+}
+
+/** The protocol of the run's score first. */
+Json protocols_json(const ReportTruth& truth)
+{
+    Json json = {protocol_json({truth.description.protocol, truth.evaluation.score})};
+    for (const auto& scored : truth.other_protocols) json.push_back(protocol_json(scored));
+    return json;
+}
+
+/** [recall, precision, threshold] of at most kMostPoints points, from the highest threshold down. */
+Json curve_json(const PrecisionRecallCurve& curve)
+{
+    constexpr std::size_t kMostPoints = 500;
+    Json json = Json::array();
+    for (const auto i : spread_indices(kMostPoints, curve.points.size()))
+        if (const auto& point = curve.points[i]; point.recall)
+            json.push_back({rounded(*point.recall, 4),
+                            rounded(point.precision, 4),
+                            rounded(point.threshold, 4)});
+    return json;
+}
+
+void add_truth(Json& json, const ReportTruth& truth)
+{
+    json["evaluation"] = evaluation_json(truth.evaluation);
+    json["metrics"] = metrics_json(truth.evaluation);
+    json["truth"] = truth_json(truth.evaluation);
+    json["protocols"] = protocols_json(truth);
+    json["curves"] = {{"inliers", curve_json(truth.evaluation.inlier_curve)},
+                      {"similarity", curve_json(truth.evaluation.similarity_curve)}};
+}
+
+/** For each word of `rejection`, and for accepted frames, what it says. */
+Json verdict_meanings_json()
+{
+    Json json = Json::object();
+    for (const auto rejection : all_rejections())
+        json[rejection == Rejection::none ? "accepted" : to_word(rejection)] =
+            meaning_of(rejection);
+    return json;
+}
+
 std::vector<std::string> remarks_on(const Json& summary, const std::optional<ReportTruth>& truth)
 {
     std::vector<std::string> remarks;
@@ -176,13 +279,16 @@ Json run_json(const RunFolder& run, const std::optional<ReportTruth>& truth)
     json["summary"] = run.summary;
     json["remarks"] = remarks_on(run.summary, truth);
     json["frames"] = frames_json(run.frames);
-    json["loops"] = loops_json(run.frames, run.path + "/loops.csv", trajectories);
+    auto oriented = trajectories;
+    if (truth && !truth->oriented) oriented.erase("truth");
+    json["loops"] = loops_json(run.frames, run.path + "/loops.csv", oriented);
     json["trajectories"] = Json::object();
     for (const auto& [name, poses] : trajectories)
         json["trajectories"][name] = positions_json(poses);
     json["no_map_reason"] = why_no_map(run.summary);
     if (fs::exists(run.path + "/costs.csv")) json["costs"] = costs_json(run.path + "/costs.csv");
-    if (truth) json["evaluation"] = evaluation_json(truth->evaluation);
+    json["verdict_meanings"] = verdict_meanings_json();
+    if (truth) add_truth(json, *truth);
     return json;
 }
 

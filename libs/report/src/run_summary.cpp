@@ -150,6 +150,7 @@ void write_summary(const RunSummary& summary, const std::string& path)
         {"model", {{"file", summary.model_file}, {"sha256", summary.model_sha256}}},
         {"stage_times_ms", times_json(summary.stage_times)},
         {"wall_seconds", rounded(summary.wall_seconds)},
+        {"finished", summary.finished},
         {"memory", memory_json(summary)},
     };
     WholeFile file(path);

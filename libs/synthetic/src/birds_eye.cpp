@@ -12,13 +12,16 @@ namespace fild
 {
 namespace
 {
-constexpr double kFlightAngle = 0.55;  // rad off the vertical, seen from the south
+constexpr double kFlightAngle = 0.55;  // rad off the vertical
+const cv::Scalar kStartColour(178, 114, 0);
+const cv::Scalar kEndColour(0, 94, 213);
 
 /** A camera in the air that has all of the town in its picture. */
 class AirView
 {
  public:
-    AirView(const StreetGrid& grid, int width);
+    /** \param quarter_turns  of the picture's upward direction, from the y axis to the left. */
+    AirView(const StreetGrid& grid, int width, int quarter_turns);
 
     const CameraModel& camera() const { return camera_; }
     const mrpt::poses::CPose3D& map_from_camera() const { return map_from_camera_; }
@@ -29,12 +32,14 @@ class AirView
     mrpt::poses::CPose3D map_from_camera_;
 };
 
-AirView::AirView(const StreetGrid& grid, int width)
+AirView::AirView(const StreetGrid& grid, int width, int quarter_turns)
 {
     const auto all = grid.bounds();
     constexpr double kHouses = 12;  // around the streets
-    const auto half_width = all.width / 2 + kHouses;
-    const auto half_height = all.height / 2 + kHouses;
+    auto half_width = all.width / 2 + kHouses;
+    auto half_height = all.height / 2 + kHouses;
+    if (quarter_turns % 2 != 0) std::swap(half_width, half_height);
+    const auto yaw = quarter_turns * CV_PI / 2;
     const auto distance = 2.2 * std::max(half_width, half_height);
     camera_.width = width;
     // The nearest row of houses is the widest in the picture.
@@ -45,10 +50,11 @@ AirView::AirView(const StreetGrid& grid, int width)
     camera_.cx = (camera_.width - 1) / 2.0;
     camera_.cy = camera_.height * 0.46;
     const cv::Point2d middle(all.x + all.width / 2, all.y + all.height / 2);
-    map_from_camera_ = mrpt::poses::CPose3D(middle.x,
-                                            middle.y - distance * std::sin(kFlightAngle),
+    const auto behind = distance * std::sin(kFlightAngle);
+    map_from_camera_ = mrpt::poses::CPose3D(middle.x + behind * std::sin(yaw),
+                                            middle.y - behind * std::cos(yaw),
                                             distance * std::cos(kFlightAngle),
-                                            0,
+                                            yaw,
                                             0,
                                             -CV_PI + kFlightAngle);
 }
@@ -93,9 +99,51 @@ void draw_route(cv::Mat& picture,
         if (driven < kArrowEvery) continue;
         driven = 0;
         const auto length = std::max(1e-6, cv::norm(to - from));
-        const auto tip = to + (to - from) * (8.0 * thickness / length);
+        const auto tip = to + (to - from) * (5.0 * thickness / length);
         cv::arrowedLine(picture, to, tip, route_colour(index), thickness, cv::LINE_AA, 0, 0.7);
     }
+}
+
+/** Where the drive begins and ends, as on map_top.png. */
+void draw_ends(cv::Mat& picture, const AirView& view, const std::vector<RouteLine>& routes)
+{
+    const auto unit = picture.cols / 800.0;
+    const auto mark = [&](const cv::Point3d& place, bool is_start)
+    {
+        const cv::Point at(view.project(place));
+        const auto size = cvRound(5 * unit);
+        const auto& colour = is_start ? kStartColour : kEndColour;
+        const auto draw = [&](int radius, const cv::Scalar& fill)
+        {
+            const cv::Point corner(radius, radius);
+            if (is_start)
+                cv::circle(picture, at, radius, fill, cv::FILLED, cv::LINE_AA);
+            else
+                cv::rectangle(picture, at - corner, at + corner, fill, cv::FILLED);
+        };
+        draw(size + cvRound(1.5 * unit), cv::Scalar::all(255));
+        draw(size, colour);
+        for (const auto& [ink, stroke] :
+             {std::pair{cv::Scalar::all(255), 4 * unit}, std::pair{colour, 1.2 * unit}})
+            cv::putText(picture,
+                        is_start ? "start" : "end",
+                        at + cv::Point(cvRound((is_start ? 9 : -34) * unit), cvRound(4 * unit)),
+                        cv::FONT_HERSHEY_SIMPLEX,
+                        0.45 * unit,
+                        ink,
+                        cvRound(stroke),
+                        cv::LINE_AA);
+    };
+    mark(routes.back().points.back(), false);
+    mark(routes.front().points.front(), true);
+}
+
+/** So that the picture is the same way up as a map whose x axis is the heading at the start. */
+int quarter_turns_of(const std::vector<RouteLine>& routes)
+{
+    if (routes.empty() || routes.front().points.size() < 2) return 0;
+    const auto way = routes.front().points[1] - routes.front().points[0];
+    return cvRound(std::atan2(way.y, way.x) / (CV_PI / 2));
 }
 
 void draw_legend(cv::Mat& picture, const std::vector<std::string>& names)
@@ -135,7 +183,7 @@ std::string name_of_part(const RoutePose& pose)
         case Stretch::opposite:
             return "opposite direction";
         case Stretch::link:
-            return "between";
+            return "connecting road";
         case Stretch::lap:
             break;
     }
@@ -176,7 +224,7 @@ cv::Mat draw_birds_eye(Town& town,
                        const LapConditions& conditions,
                        int width)
 {
-    const AirView view(town.grid(), width);
+    const AirView view(town.grid(), width, quarter_turns_of(routes));
     auto picture = town.draw(view.camera(), view.map_from_camera(), conditions).image;
     const auto names = names_of(routes);
     for (const auto& route : routes)
@@ -185,6 +233,7 @@ cv::Mat draw_birds_eye(Town& town,
         const auto index = static_cast<std::size_t>(name - names.begin());
         draw_route(picture, view, route, index, names.size() - 1 - index);
     }
+    if (!routes.empty()) draw_ends(picture, view, routes);
     draw_legend(picture, names);
     return picture;
 }

@@ -3,11 +3,13 @@
 
 import base64
 import json
+import time
 
 from selenium import webdriver
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.wait import WebDriverWait
 
 DESKTOP = 1300
@@ -87,9 +89,37 @@ class Browser:
     def click(self):
         ActionChains(self.driver).click().perform()
 
-    def turn_wheel(self, selector):
-        origin = ScrollOrigin.from_element(self.element(selector))
-        ActionChains(self.driver).scroll_from_origin(origin, 0, -300).perform()
+    def turn_wheel(self, selector, pixels, with_ctrl=False):
+        """In the middle of an element; pixels > 0: towards the end of the page."""
+        panel = self.element(selector)
+        self.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", panel)
+        actions = ActionChains(self.driver)
+        if with_ctrl:
+            actions.key_down(Keys.CONTROL)
+        actions.scroll_from_origin(ScrollOrigin.from_element(panel), 0, pixels)
+        if with_ctrl:
+            actions.key_up(Keys.CONTROL)
+        actions.perform()
+
+    def type_key(self, key):
+        ActionChains(self.driver).send_keys(key).perform()
+
+    def swipe_up(self, selector, pixels=300):
+        """One finger in the middle of an element; returns how far the page scrolled."""
+        panel = self.element(selector)
+        self.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", panel)
+        x, y, before = self.run("const box = arguments[0].getBoundingClientRect();"
+                                "return [box.x + box.width / 2, box.y + box.height / 2, window.scrollY]", panel)
+        touch = lambda kind, points: self.driver.execute_cdp_cmd(
+            "Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        self.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True})
+        touch("touchStart", [{"x": x, "y": y}])
+        for step in range(1, 11):
+            touch("touchMove", [{"x": x, "y": y - pixels * step / 10}])
+        touch("touchEnd", [])
+        time.sleep(1)  # the page follows in its own time, if it does
+        self.driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": False})
+        return self.run("return window.scrollY") - before
 
     def screenshot(self, path):
         """The page from top to bottom, with the pictures that would be loaded on the way down."""

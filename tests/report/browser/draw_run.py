@@ -18,24 +18,31 @@ STAGES = {"image_decoding": 4, "global_descriptor": 40, "local_features": 60, "h
 
 
 class Drive:
-    """Twice around a circle of 50 m, `frames` frames at 2 Hz."""
+    """Twice around a circle of 50 m, `frames` frames at 2 Hz. The first `wrong` loop closures are wrong;
+    `probability`: accepted by [same_place], and rejected with many inliers."""
 
-    def __init__(self, frames, loops=True, edges=True, trajectory=True, seed=1):
+    def __init__(self, frames, loops=True, edges=True, trajectory=True, seed=1, wrong=0, probability=False):
         self.frames = frames
         self.lap = max(1, frames // 2)
         self.loops = loops
         self.edges = edges and trajectory
         self.trajectory = trajectory
+        self.wrong = wrong
+        self.probability = probability
         self.random = np.random.default_rng(seed)
 
     def time(self, frame):
         return 1000 + 0.5 * frame
 
     def candidate(self, frame):
-        return frame - self.lap if frame >= self.lap and frame > 0 else None
+        if frame < self.lap or frame == 0:
+            return None
+        place = frame - self.lap
+        is_wrong = self.is_accepted(frame) and sum(self.is_accepted(i) for i in range(self.lap, frame)) < self.wrong
+        return (place + self.lap // 3) % self.lap if is_wrong else place
 
     def is_accepted(self, frame):
-        return self.loops and self.candidate(frame) is not None and frame % 5 != 0
+        return self.loops and frame >= self.lap and frame > 0 and frame % 5 != 0
 
     def accepted(self):
         return [frame for frame in range(self.frames) if self.is_accepted(frame)]
@@ -61,7 +68,12 @@ def frame_row(drive, frame):
     accepted = drive.is_accepted(frame)
     inliers = 0 if candidate is None else int(drive.random.integers(20, 150) if accepted else drive.random.integers(0, 12))
     support = inliers / 20 if accepted else inliers / 13
-    rejection = "" if accepted else "too_early" if candidate is None else "too_few_inliers"
+    reason = "too_few_inliers"
+    if drive.probability and candidate is not None:
+        inliers = int(drive.random.integers(13, 150))
+        support = drive.random.uniform(0.951, 1) if accepted else drive.random.uniform(0, 0.9499)
+        reason = "may_be_look_alike"
+    rejection = "" if accepted else "too_early" if candidate is None else reason
     pair = (f"{candidate},{0.6 + 0.3 * drive.random.random():.6f}" if candidate is not None else ",")
     return (f"{frame},{drive.time(frame):.6f},LEFT,{int(drive.random.integers(300, 1500))},{pair},"
             f"{2 * inliers},{inliers},{int(accepted)},{rejection},{support:.6f},none")
@@ -106,6 +118,7 @@ def summary_of(drive, options):
                 "clock_jumps": 0, "unusable_readings": 0, "depth_sources": {"none": drive.frames}, "depth_defects": {},
                 "notes": [] if drive.trajectory else ["no map: the recording has no odometry, and its images no depth"]},
         "options": {"index": {"min_similarity": "-1", "backend": "hnsw"}, "verification": {"min_inliers": "12"},
+                    "same_place": {"enabled": "true" if drive.probability else "false", "min_probability": "0.95"},
                     "runtime": {"seed": "1"}, **options},
         "versions": {"mrpt-fild": "0.1.0", "MRPT": "2.5.8"}, "model": {"file": "model.onnx", "sha256": "0" * 64},
         "stage_times_ms": times, "wall_seconds": 0.12 * drive.frames,

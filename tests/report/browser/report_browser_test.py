@@ -4,11 +4,15 @@
 Usage: report_browser_test.py LOOP_CLOSURE_REPORT SCREENSHOT_FOLDER [unittest arguments]
 """
 
+import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+
+from selenium.webdriver.common.keys import Keys
 
 from browser import DESKTOP, PHONE, Browser
 from draw_run import Drive, write_run
@@ -38,6 +42,10 @@ class PageTest(unittest.TestCase):
     def expect_quiet(self):
         self.assertEqual(self.browser.errors(), [])
         self.assertEqual(self.browser.requests(), [])
+
+    def expect_quiet_but_for_files(self):
+        self.assertEqual(self.browser.errors(), [])
+        self.assertEqual([address for address in self.browser.requests() if not address.startswith("file://")], [])
 
     def expect_fit(self):
         width, scrolled = self.browser.run("return [document.documentElement.clientWidth, document.documentElement.scrollWidth]")
@@ -88,7 +96,7 @@ class Report(PageTest):
     def test_shows_the_numbers(self):
         self.browser.open(self.page)
         cards = self.browser.element("#headline").text
-        for text in ("200\ncamera frames", "80\nloop closures", "1.000\nprecision", "trajectory error (ATE) after"):
+        for text in ("200\ncamera frames", "80\nloop closures", "1.000\nprecision (radius:5)", "trajectory error (ATE) after"):
             self.assertIn(text, cards)
         self.assertIn("--rawlog drive.rawlog", self.browser.element("#run-content").text)
 
@@ -127,25 +135,96 @@ class Report(PageTest):
         self.browser.press("#gallery .views .turn")
         self.assertEqual(self.browser.run(shown), flat)
 
-    def test_pictures_open_in_full_size(self):
+    def test_full_size_is_pixel_by_pixel(self):
+        for width in (DESKTOP, PHONE):
+            with self.subTest(width=width):
+                self.browser.open(self.page, width)
+                self.browser.press("#gallery .picture")
+                # draw_run.py draws them 1280 pixels wide, and the page holds them 700 pixels wide.
+                self.browser.wait_for("return document.querySelector('dialog[open] img')?.naturalWidth === 1280")
+                self.assertEqual(self.browser.run("return document.querySelector('dialog img').offsetWidth"), 1280)
+                self.assertIn("loop closure", self.browser.element("dialog .caption").text)
+                self.browser.press("dialog button[aria-label=close]")
+                self.browser.wait_for("return !document.querySelector('dialog')")
+                self.expect_quiet_but_for_files()
+
+    def test_full_size_goes_on_to_the_next_picture(self):
         self.browser.open(self.page)
         self.browser.press("#gallery .picture")
-        self.browser.wait_for("return document.querySelector('dialog[open] img')?.naturalWidth > 0")
-        self.browser.press("dialog")
+        caption = "return document.querySelector('dialog .caption').textContent"
+        first = self.browser.run(caption)
+        self.browser.type_key(Keys.ARROW_RIGHT)
+        self.browser.wait_for(f"{caption} !== {json.dumps(first)}")
+        self.browser.press("dialog button[aria-label='previous picture']")
+        self.browser.wait_for(f"{caption} === {json.dumps(first)}")
+        self.browser.type_key(Keys.ESCAPE)
         self.browser.wait_for("return !document.querySelector('dialog')")
 
-    def test_the_map_zooms(self):
+    def test_full_size_without_the_files_says_so(self):
+        page = self.path("alone.html")
+        shutil.copy(self.page, page)
+        self.browser.open(page)
+        self.browser.press("#gallery .picture")
+        self.browser.wait_for("return document.querySelector('dialog .caption').textContent.includes('scaled down')")
+        shown, natural = self.browser.run("const image = document.querySelector('dialog img');"
+                                          "return [image.offsetWidth, image.naturalWidth]")
+        self.assertEqual(shown, natural)
+        self.assertLessEqual(natural, 700)
+
+    def test_the_wheel_scrolls_the_page_over_every_chart(self):
         self.browser.open(self.page)
-        extent = "return echarts.getInstanceByDom(byId('map-chart')).convertFromPixel('grid', [100, 100])"
-        before = self.browser.run(extent)
-        self.point_at_a_loop()
-        self.browser.turn_wheel("#map-chart")
-        self.browser.wait_for(f"return (() => {{ {extent} }})()[0] !== {before[0]}")
+        charts = self.browser.run("return [...document.querySelectorAll('.chart')].map(chart => chart.id)")
+        self.assertIn("map-chart", charts)
+        for chart in charts:
+            with self.subTest(chart):
+                selector = "#" + chart
+                self.browser.run("byId(arguments[0]).scrollIntoView({block: 'center', behavior: 'instant'})", chart)
+                before = self.browser.run("return window.scrollY")
+                self.browser.turn_wheel(selector, -200)
+                self.browser.wait_for(f"return window.scrollY < {before} - 100")
+
+    def test_a_finger_scrolls_the_page_over_the_map(self):
+        self.browser.open(self.page, PHONE)
+        self.assertGreater(self.browser.swipe_up("#map-chart"), 100)
+        self.browser.press("#map .zoom button[title='zoom in']")
+        self.assertEqual(self.browser.swipe_up("#map-chart"), 0, "a zoomed map moves instead")
+
+    def map_extent(self):
+        return self.browser.run("return echarts.getInstanceByDom(byId('map-chart')).convertFromPixel('grid', [100, 100])")
+
+    def test_the_wheel_with_ctrl_zooms_the_map(self):
+        self.browser.open(self.page)
+        before = self.map_extent()
+        self.browser.turn_wheel("#map-chart", -300, with_ctrl=True)
+        self.browser.wait_for("return echarts.getInstanceByDom(byId('map-chart')).convertFromPixel('grid', [100, 100])[0]"
+                              f" !== {before[0]}")
+
+    def test_buttons_zoom_the_map_and_show_all_of_it(self):
+        self.browser.open(self.page, PHONE)
+        before = self.map_extent()
+        self.browser.press("#map .zoom button[title='zoom in']")
+        self.assertNotEqual(self.map_extent(), before)
+        self.assertEqual(self.browser.run("return getComputedStyle(byId('map-chart')).touchAction"), "none")
+        self.browser.press("#map .zoom button[title='show the whole map']")
+        for now, then in zip(self.map_extent(), before):
+            self.assertAlmostEqual(now, then, 6)
+        self.assertEqual(self.browser.run("return getComputedStyle(byId('map-chart')).touchAction"), "pan-y")
+
+    def test_paper_is_wide_enough_for_the_charts(self):
+        self.browser.open(self.page)
+        self.browser.run("window.dispatchEvent(new Event('beforeprint'))")
+        widths = self.browser.run("return [...document.querySelectorAll('.chart canvas')].map(one => one.offsetWidth)")
+        self.assertLessEqual(max(widths), 680)
+        self.assertEqual(self.browser.count("main details:not([open])"), 0)
+        self.browser.run("window.dispatchEvent(new Event('afterprint'))")
+        self.assertGreater(self.browser.run("return document.querySelector('#inliers-chart canvas').offsetWidth"), 1000)
+        self.assertGreater(self.browser.count("main details:not([open])"), 0)
 
     def test_the_table_filters(self):
         self.browser.open(self.page)
         rows = "return document.querySelectorAll('#frames tbody tr').length"
         self.assertEqual(self.browser.run(rows), 25)
+        self.assertIn("101 of 200 frames", self.browser.element("#filter-count").text)  # without those too early
         self.browser.element("#filter-frame").send_keys("120-129")
         self.assertEqual(self.browser.run(rows), 10)
         self.browser.run("byId('filter-verdict').value = 'accepted'; byId('filter').dispatchEvent(new Event('input'))")
@@ -154,6 +233,38 @@ class Report(PageTest):
         self.browser.element("#filter-frame").clear()
         self.browser.element("#filter-frame").send_keys("no number")
         self.assertEqual(self.browser.run(rows), 0)
+        self.assertIn("100-200", self.browser.element("#filter-count").text)
+        for text, count in (("129-120", 8), ("121, 126-127", 3)):
+            self.browser.element("#filter-frame").clear()
+            self.browser.element("#filter-frame").send_keys(text)
+            self.assertEqual(self.browser.run(rows), count, text)
+
+    def test_the_table_sorts(self):
+        self.browser.open(self.page)
+        column = self.browser.run("return columns.findIndex(([name]) => name === 'inliers') + 1")
+        values = f"return [...document.querySelectorAll('#frames tbody td:nth-child({column})')].map(cell => Number(cell.textContent))"
+        for press, is_descending in enumerate((False, True)):
+            self.browser.press(f"#frames th:nth-child({column}) .sort")
+            shown = self.browser.run(values)
+            self.assertEqual(shown, sorted(shown, reverse=is_descending), press)
+            self.assertGreater(len(set(shown)), 1)
+
+    def test_a_picture_in_a_row_leaves_the_columns_alone(self):
+        widths = "return [...document.querySelectorAll('#frames thead th')].map(one => one.getBoundingClientRect().width)"
+        for width in (DESKTOP, PHONE):
+            with self.subTest(width=width):
+                self.browser.open(self.page, width)
+                self.browser.element("#filter-frame").send_keys("100-140")
+                before = self.browser.run(widths)
+                buttons = self.browser.driver.find_elements("css selector", "#frames tbody td button")
+                for button in buttons[:2]:
+                    self.browser.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", button)
+                    button.click()  # as the mouse does: what covers it would be named
+                self.browser.wait_for("return document.querySelectorAll('#frames figure img').length === 2")
+                self.assertEqual(self.browser.run(widths), before)
+                seen = self.browser.run("return document.querySelector('#frames figure').getBoundingClientRect().width")
+                self.assertLessEqual(seen, width)
+                self.assertGreater(seen, 0.75 * min(width, 768))
 
     def test_a_row_shows_its_picture_without_a_mouse(self):
         self.browser.open(self.page)
@@ -191,7 +302,7 @@ class Report(PageTest):
         self.browser.open(self.page)
         self.browser.run("document.querySelectorAll('details').forEach(one => one.open = true)")
         self.assertIn("root mean square distance", self.browser.element("#headline-words").text)
-        self.assertIn("no frame is old enough", self.browser.element("#verdict-words").text)
+        self.assertIn("no earlier frame is old enough", self.browser.element("#verdict-words").text)
         self.assertNotIn("another version", self.browser.element("#verdict-words").text)
 
     def test_a_bar_filters_the_table(self):
@@ -218,6 +329,78 @@ class Report(PageTest):
         self.browser.open(make_report(folder))
         self.expect_quiet()
         self.assertNotIn("precision", self.browser.element("#headline").text)
+
+
+class JudgedReport(PageTest):
+    """Of 80 loop closures 5 are wrong; of 101 frames that come back 26 have no right one."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        folder = os.path.join(cls.scratch.name, "judged")
+        write_run(Drive(200, wrong=5, probability=True), folder)
+        cls.page = make_report(folder, "--ground-truth", os.path.join(folder, "truth.tum"), "--protocol", "radius:5")
+
+    def setUp(self):
+        self.browser.open(self.page)
+
+    def series(self, chart):
+        """Names of a chart's series and how many points each has."""
+        return dict(self.browser.run(f"""
+            return echarts.getInstanceByDom(byId('{chart}')).getOption().series.map(({{name, data}}) => [name, data.length])"""))
+
+    def test_looks_right(self):
+        self.look_at(self.page, "judged")
+
+    def test_the_headline_counts_them(self):
+        cards = self.browser.element("#headline").text
+        for text in ("0.938\nprecision (radius:5)", "0.743\nrecall (radius:5)", "5\nwrong loop closures", "26\nmissed loops"):
+            self.assertIn(text, cards)
+        row = self.browser.element("#protocols tbody tr").text
+        self.assertIn("radius:5 0.938 0.743 75 5 0 26 a loop closure is right when", row)
+
+    def test_the_map_shows_each_kind(self):
+        series = self.series("map-chart")
+        self.assertEqual(series["right loop closures"], 75)
+        self.assertEqual(series["wrong loop closures"], 5)
+        self.assertEqual(series["missed loops"], 21)  # the other 5 are the wrong ones
+
+    def test_charts_and_matrix_show_each_kind(self):
+        for chart in ("support-chart", "inliers-chart", "similarity-chart"):
+            with self.subTest(chart):
+                series = self.series(chart)
+                self.assertEqual((series["right"], series["wrong"], series["missed"]), (75, 5, 20))
+        matrix = self.series("matrix-chart")
+        self.assertEqual((matrix["right (mirrored)"], matrix["wrong (mirrored)"], matrix["missed (mirrored)"]), (75, 5, 21))
+
+    def test_the_table_shows_and_filters_each_kind(self):
+        for kind, count in (("right", 75), ("wrong", 5), ("missed", 21)):
+            self.browser.run(f"byId('filter-truth').value = '{kind}'; byId('filter').dispatchEvent(new Event('input'))")
+            self.assertIn(f"{count} of 200 frames", self.browser.element("#filter-count").text)
+            self.assertIn(kind, self.browser.element("#frames tbody tr").text)
+        self.assertIn("missed at ", self.browser.element("#frames tbody tr").text)
+
+    def test_wrong_pairs_come_first_with_their_pictures(self):
+        self.assertIn("Wrong loop closures (5)", self.browser.element("#wrong-title").text)
+        self.assertEqual(self.browser.count("#wrong-gallery figure .kind.wrong"), 5)
+        self.assertGreater(self.browser.count("#gallery figure .kind.right"), 0)
+
+    def test_the_reason_is_the_one_that_decided(self):
+        rejected = self.browser.element("#strongest-rejected figcaption").text
+        self.assertIn("rejected: may be look alike", rejected)
+        self.assertRegex(rejected, r"support 0\.9\d\d \(below 0\.95\)")
+        line = self.browser.run("return echarts.getInstanceByDom(byId('inliers-chart')).getOption().series[0].markLine.label.formatter")
+        self.assertIn("needed before support is measured", line)
+
+    def test_all_numbers_are_there(self):
+        self.browser.run("document.querySelectorAll('#truth details').forEach(one => one.open = true)")
+        text = self.browser.element("#all-metrics").text
+        for name in ("segment recall", "maximum F1", "average P", "RPE 10m"):
+            self.assertIn(name, text)
+        self.assertGreater(self.series("curve-chart")["by inliers"], 2)
+
+    def test_edges_are_compared_with_what_they_claim(self):
+        self.assertRegex(self.browser.element("#edge-verdict").text, r"off by [\d.]+ cm in the median")
 
 
 class ReportOfAnUnusualRun(PageTest):

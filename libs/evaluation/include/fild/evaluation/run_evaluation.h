@@ -4,6 +4,7 @@
 #include "fild/core/verdict.h"
 #include "fild/evaluation/candidates_csv.h"
 #include "fild/evaluation/ground_truth.h"
+#include "fild/evaluation/judged_frame.h"
 #include "fild/evaluation/judged_pair.h"
 #include "fild/evaluation/loop_score.h"
 #include "fild/evaluation/loop_stretch.h"
@@ -80,6 +81,7 @@ struct NamedTrajectoryError
 struct RunEvaluation
 {
     std::string folder;
+    std::vector<JudgedFrame> frames;
     LoopScore score;
     PrecisionRecallCurve inlier_curve;
     PrecisionRecallCurve similarity_curve;

@@ -55,7 +55,10 @@ TrajectoryError trajectory_error(const std::vector<TimedPose>& trajectory,
                                  const TrajectoryErrorOptions& options);
 
 /** The truth laid over the trajectory as trajectory_error() lays the trajectory over the truth,
- * without scaling: to draw both. \throw std::runtime_error when fewer than 3 poses are paired. */
+ *  without scaling, and with the axes of the trajectory's body: a constant rotation between the two
+ *  bodies is taken out. One that permutes the axes to 5 degrees is taken out exactly, so that
+ *  errors of the trajectory do not turn the truth.
+ *  \throw std::runtime_error when fewer than 3 poses are paired. */
 std::vector<PosedFrame> laid_over(const std::vector<TimedPose>& trajectory,
                                   std::vector<PosedFrame> truth);
 

@@ -28,6 +28,15 @@ struct PlacedFrame
     int segment = 0;  ///< between two segments the motion is unknown: no line joins them
 };
 
+/** What the ground truth says of a loop closure. */
+enum class LoopTruthMark
+{
+    unknown,  ///< there is no ground truth
+    right,
+    wrong,
+    doubtful
+};
+
 /** A loop closure of the map. Value type. */
 struct DrawnLoop
 {
@@ -35,6 +44,7 @@ struct DrawnLoop
     FrameId candidate{};
     std::size_t inliers = 0;
     double weight = 0;  ///< in the optimised graph, [0, 1]; 0: it has no part in it
+    LoopTruthMark truth = LoopTruthMark::unknown;
 };
 
 /** A camera that stands in the map. Value type. */
@@ -54,6 +64,7 @@ struct DrawnMap
     std::vector<cv::Vec3d> ground_truth;  ///< along the true way, laid over the map, metres
     std::vector<DrawnLoop> loops;  ///< those of frames without a pose are passed over
     std::vector<std::pair<FrameId, FrameId>> rejected;  ///< query and candidate; as `loops`
+    std::vector<FrameId> missed;  ///< at a known place by the truth, but rejected; as `loops`
     std::vector<DrawnCamera> cameras;
 };
 
@@ -70,7 +81,8 @@ struct MapPicture
 };
 
 /** A map as a scene: the way before and after the optimisation and in truth, loop closures coloured
- *  by inliers or weight, rejected pairs faint, cameras, start and end, over a grid on the ground
+ *  by inliers or weight or, where the truth about them is known, as right, wrong and doubtful with
+ *  the missed ones as rings, rejected pairs faint, cameras, start and end, over a grid on the ground
  *  whose lines are labelled in metres.
  *
  *  Draws through OffscreenRenderer: without screen, GPU or window, bound to the thread that made

@@ -22,6 +22,7 @@ struct MatchPicture
     double candidate_timestamp = 0;  ///< seconds since the UNIX epoch
     std::vector<PixelPair> inliers;
     std::vector<PixelPair> rejected{};  ///< matches that are no inliers; drawn grey
+    double support_threshold = 1;  ///< FrameVerdict::support from which the frame is accepted
 };
 
 /** Where the cameras of a match picture were. Value type. */
@@ -35,7 +36,7 @@ struct CameraPair
 
 /** Draws query and candidate side by side or, where they are then larger, one above the other:
  *  marks on every inlier, thin lines between some of them, evenly over the images, and captions
- *  with frames, times, similarity, matches and inliers. Colours run along the side that the images
+ *  with frames, times, similarity, matches, inliers and support. Colours run along the side that the images
  *  share, in an order that colour-blind readers can follow, so that a line that leaves its
  *  neighbours shows. Deterministic. Thread-safe.
  *  \return 8 bit BGR, TRenderOptions::match_picture_width_px wide or less: larger images are scaled

@@ -40,7 +40,7 @@ struct TRenderOptions : Options
     int map_picture_width_px = 1600;
     int map_picture_height_px = 1000;
     LoopColour loop_colour = LoopColour::inliers;
-    int max_rejected_pairs = 300;  ///< on the map, those with most support
+    int max_rejected_pairs = 20;  ///< on the map, those with most support
     int max_map_cameras = 40;  ///< frusta on the map, evenly over the keyframes; 0: none
     bool camera_images = false;  ///< in the frusta
 

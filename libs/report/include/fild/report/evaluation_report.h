@@ -26,6 +26,10 @@ std::string match_picture_of(const std::string& run_folder, const FrameVerdict& 
  *  a table with a row for each run. \param max_wrong  wrong loops that are listed of each run. */
 std::string to_text(const EvaluationReport& report, std::size_t max_wrong);
 
+/** Writes wrong_loops.csv and, if all runs have a candidates.csv, missed_loops.csv into the folder.
+ *  \throw std::runtime_error naming what cannot be written. */
+void write_wrong_and_missed_loops(const EvaluationReport& report, const std::string& folder);
+
 /** Writes into the folder, made if need be, each file whole or not at all: evaluation.json,
  *  evaluation.tex, precision_recall.svg and, with a first column `run` that counts from 1,
  *  wrong_loops.csv, curve_inliers.csv, curve_similarity.csv, stretches.csv, runs.csv and, if all

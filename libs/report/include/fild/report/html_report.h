@@ -2,6 +2,8 @@
 #pragma once
 
 #include "fild/evaluation/frame_poses.h"
+#include "fild/evaluation/loop_score.h"
+#include "fild/evaluation/protocol.h"
 #include "fild/evaluation/run_evaluation.h"
 #include "fild/report/report_options.h"
 #include "fild/report/truth_description.h"
@@ -12,12 +14,21 @@
 
 namespace fild
 {
+/** The loop closures of a run, counted by another protocol. */
+struct ProtocolScore
+{
+    Protocol protocol;
+    LoopScore score;
+};
+
 /** What is known beside the run's own results, when there is ground truth. */
 struct ReportTruth
 {
     TruthDescription description;
     RunEvaluation evaluation;  ///< of the run
-    std::vector<PosedFrame> poses;  ///< of the frames; empty: the truth is labels
+    std::vector<ProtocolScore> other_protocols;  ///< beside that of `description`
+    std::vector<PosedFrame> poses;  ///< of the frames; empty: no true poses are known
+    bool oriented = true;  ///< false: orientations of `poses` are headings out of the motion
 };
 
 /** Makes report.html in the folder of a run out of the files that are there: frames.csv and

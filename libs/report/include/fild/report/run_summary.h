@@ -71,6 +71,7 @@ struct RunSummary
     std::string model_sha256;
     std::map<std::string, StageTimes::Statistics> stage_times;
     double wall_seconds = 0;
+    std::string finished;  ///< date and time, "2026-01-31 12:30:00 UTC"
     std::size_t peak_memory_bytes = 0;
     std::size_t map_bytes = 0;  ///< held for later frames at the end of the run
 

@@ -19,12 +19,13 @@ struct RouteLine
 };
 
 /** The parts of a route for drawing: "lap 1", "lap 2", ..., "driven once", "opposite direction",
- * and "between" for the links. A part may begin again elsewhere: then it comes as a second line of
+ * and "connecting road" for the links. A part may begin again elsewhere: then it comes as a second line of
  * the same name. Each begins where the one before ends. */
 std::vector<RouteLine> route_lines(const std::vector<RoutePose>& route);
 
 /** The whole town as seen from the air, with the routes driven through it, an arrow on each every
- *  50 m and a legend; lines of one name share their colour. \return 8 bit BGR, `width` pixels wide.
+ *  50 m, start, end and a legend; lines of one name share their colour. The heading at the start is
+ *  to the right, as the x axis is on the map of a run that begins there. \return 8 bit BGR, `width` pixels wide.
  */
 cv::Mat draw_birds_eye(Town& town,
                        const std::vector<RouteLine>& routes,
