@@ -39,6 +39,12 @@ std::string to_word(Rejection rejection)
     return "";
 }
 
+bool is_unusable(Rejection rejection)
+{
+    return rejection == Rejection::missing_image || rejection == Rejection::image_size_changed ||
+           rejection == Rejection::repeated_timestamp || rejection == Rejection::unsupported_image;
+}
+
 const std::vector<Rejection>& all_rejections()
 {
     static const std::vector<Rejection> all = {
