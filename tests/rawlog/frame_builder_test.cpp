@@ -339,6 +339,8 @@ TEST(FrameBuilder, LooksInTheNamedFolderForImagesOfAnotherComputer)
     EXPECT_EQ(defect_of(inside, external_observation("/home/someone/b.png", 1)),
               Rejection::missing_image);
     EXPECT_EQ(inside.first_missing_image(), "/home/someone/b.png");
+    EXPECT_EQ(defect_of(inside, external_observation("right/a.png", 2)), Rejection::missing_image)
+        << "is not left/a.png";
 }
 
 TEST(FrameBuilder, FindsImagesWhoseEndingIsWrittenInOtherLetters)

@@ -59,11 +59,14 @@ std::optional<fs::path> find_file(const fs::path& path)
     return std::nullopt;
 }
 
-/** A path of another computer, which may be Windows, and what it has from each folder on. */
+/** The name with slashes; of an absolute path, which may be of another computer, also what it has
+ *  from each folder on. A relative one is not shortened: left/1.png and right/1.png are two. */
 std::vector<fs::path> ends_of(std::string name)
 {
     std::replace(name.begin(), name.end(), '\\', '/');
     std::vector<fs::path> ends{name};
+    const bool is_absolute = name.rfind('/', 0) == 0 || name.find(':') == 1;  // C:
+    if (!is_absolute) return ends;
     for (auto at = name.find('/'); at != std::string::npos; at = name.find('/', at + 1))
         ends.emplace_back(name.substr(at + 1));
     return ends;
