@@ -75,6 +75,7 @@ template <class Parse, class Run>
 int app_main(const std::string& name, int argc, char** argv, Parse&& parse, Run&& run)
 {
     prepare_standard_streams();
+    const WithoutMrptWarnings quiet;
     try
     {
         if (auto options = as_usage([&] { return parse(argc, argv); })) run(std::move(*options));

@@ -4,6 +4,7 @@
 #include "error_line.h"
 #include "fild/mapping/map_builder.h"
 #include "fild/rawlog/rawlog_reader.h"
+#include "frame_notes.h"
 #include "gathered.h"
 #include "interruption.h"
 #include "output_folder.h"
@@ -46,8 +47,8 @@ void read_frames(const RunRequest& request,
         map.feed(*observation);
         const auto outcome = stream.feed(*observation);
         if (!outcome) continue;
-        map.add(*outcome);
         gathered.add(*outcome, stream);
+        map.add(*outcome);  // after it: the map has no frame that the results do not have
         const double of_limit =
             request.max_frames == 0
                 ? 0
@@ -55,14 +56,6 @@ void read_frames(const RunRequest& request,
         progress.update(
             std::max(reader.fraction_read(), of_limit), count, gathered.summary.loop_closures);
     }
-}
-
-std::string no_usable_frame(const FrameBuilder& frames)
-{
-    const auto missing = frames.first_missing_image();
-    if (missing.empty()) return "no frame could be used";
-    return "no frame could be used; the first image that is missing is " + missing +
-           "; set [input] images_dir to the folder of the images";
 }
 
 /** As read_frames(), but an error after the first frame is returned: what came before is good. */
@@ -82,28 +75,16 @@ std::string read_what_can_be_read(const RunRequest& request,
         return error_line(error);
     }
     const auto& summary = gathered.summary;
-    if (summary.camera_frames > 0 && summary.usable_frames() > 0) return "";
-    if (summary.camera_frames > 0) return no_usable_frame(stream.frames());
+    if (summary.camera_frames > 0) return too_few_usable_frames(summary, stream.frames());
     const auto& label = request.options.stream.input.sensor_label;
     const auto wanted = label.empty() ? "" : " that matches [input] sensor_label='" + label + "'";
     throw std::runtime_error(request.rawlog + " has no camera observation" + wanted + "; " +
                              stream.frames().describe_labels());
 }
 
-void print_result(const RunSummary& summary,
-                  const std::string& first_missing_image,
-                  const std::string& output)
+void print_result(const RunSummary& summary, const std::string& output)
 {
-    for (const auto& label : summary.ignored_camera_labels)
-        std::cerr << "note: camera " << label
-                  << " was not looked at; [input] sensor_label chooses cameras\n";
-    const auto missing = summary.frames_by_rejection.find(Rejection::missing_image);
-    if (missing != summary.frames_by_rejection.end())
-        std::cerr << "note: " << missing->second << " images are missing, the first is "
-                  << first_missing_image << "; [input] images_dir names their folder\n";
-    if (summary.scaled_frames > 0)
-        std::cerr << "note: " << summary.scaled_frames
-                  << " images were scaled to the size of their camera's first image\n";
+    for (const auto& note : summary.frame_notes) std::cerr << "note: " << note << "\n";
     if (summary.ended_early.empty())  // else one line says why
         for (const auto& note : summary.map.notes) std::cerr << "note: " << note << "\n";
     std::cout << summary.camera_frames << " frames, " << summary.loop_closures
@@ -171,12 +152,13 @@ void run_loop_closure(RunRequest request)
     summary.clock_jumps = stream.detector().clock_jumps();
     summary.scaled_frames = stream.frames().scaled_frames();
     summary.ignored_camera_labels = stream.frames().ignored_camera_labels();
+    summary.frame_notes = notes_on_frames(gathered, stream.frames(), options.stream.detector.index);
     RunOutput output(request, folder, stream, gathered);
     output.write_results(builder);
     output.attempt("cannot report the result",
                    [&]
                    {
-                       print_result(summary, stream.frames().first_missing_image(), request.output);
+                       print_result(summary, request.output);
                        if (output.truth()) print_evaluation(*output.truth(), request.output);
                        require_printed();
                    });

@@ -7,6 +7,7 @@
 #include "fild/rawlog/pose_conversion.h"
 #include "fild/rawlog/rawlog_reader.h"
 #include "fild/report/pose_csv.h"
+#include "map_notes.h"
 
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3D.h>
@@ -14,111 +15,37 @@
 
 #include <cmath>
 #include <filesystem>
-#include <map>
-#include <set>
 
 namespace fild
 {
 namespace
 {
-/** The camera observations of a graph's nodes. */
-KeyframeObservations read_keyframes(const PoseGraph& graph, const MappedRawlog& rawlog)
+/** Reads the camera observations of frames, one after the other. */
+class FrameObservations
 {
-    std::set<FrameId> wanted;
-    for (const auto& node : graph.nodes) wanted.insert(node.frame);
-    KeyframeObservations keyframes;
-    RawlogReader reader(rawlog.path);
-    FrameBuilder builder(rawlog.input, rawlog.path);
-    while (keyframes.size() < wanted.size())
+ public:
+    explicit FrameObservations(const MappedRawlog& rawlog)
+        : reader_(rawlog.path), builder_(rawlog.input, rawlog.path)
     {
-        const auto observation = reader.next();
-        if (!observation) break;
-        if (!builder.accepts(*observation)) continue;
-        if (wanted.count(builder.next_id()) != 0)
-            keyframes[builder.next_id()].push_back(observation);
-        builder.skip(*observation);
     }
-    return keyframes;
-}
 
-std::string count_of(std::size_t count, const std::string& thing)
-{
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
-
-std::string joined(const std::vector<std::string>& names)
-{
-    std::string all;
-    for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
-    return all;
-}
-
-/** Why no reading of the robot's motion was used, where there are some. */
-void add_note_on_sources(const Map& map, MapSummary& summary)
-{
-    if (map.unused_sources.empty()) return;
-    const auto unused = joined(map.unused_sources);
-    if (map.trajectory_source == TrajectorySource::recorded)
-        summary.notes.push_back("the robot's motion is that of " + summary.trajectory_source +
-                                "; not used: " + unused +
-                                "; [graph] motion_source and motion_sensor_label choose");
-    else
-        summary.notes.push_back(unused +
-                                " of the recording gives no frame a pose, or is not what [graph] "
-                                "motion_source and motion_sensor_label ask for");
-}
-
-/** What the user should know of the loops that are no edges. */
-void add_notes_on_loops(MapSummary& summary)
-{
-    const auto withheld = [&](Withheld reason)
+    /** \param frame  later than those before. */
+    std::vector<mrpt::obs::CObservation::Ptr> at(FrameId frame)
     {
-        const auto found = summary.loops_withheld.find(to_word(reason));
-        return found == summary.loops_withheld.end() ? 0 : found->second;
-    };
-    const auto add = [&](std::size_t count, const std::string& why)
-    {
-        if (count > 0)
-            summary.notes.push_back(count_of(count, "loop closure") + " without an edge: " + why);
-    };
-    add(withheld(Withheld::not_calibrated),
-        "the camera is not calibrated; [input] camera_parameters gives a calibration");
-    add(withheld(Withheld::distorted), "lens distortion was left in; set [input] undistort = true");
-    add(withheld(Withheld::no_odometry),
-        "a single camera sees directions but no distances, and there is no odometry");
-    add(withheld(Withheld::frame_without_pose), "nothing tells where the robot was at its frames");
-}
-
-/** What has its own note is left out. */
-void add_note_on_most_loops(const Map& map, MapSummary& summary)
-{
-    std::map<std::string, std::size_t> lost = summary.loops_without_weight;
-    for (const auto& [reason, count] : summary.loops_withheld) lost[reason] += count;
-    for (const auto told : {Withheld::not_calibrated,
-                            Withheld::distorted,
-                            Withheld::no_odometry,
-                            Withheld::frame_without_pose,
-                            Withheld::not_enabled})
-        lost.erase(to_word(told));
-    std::size_t sum = 0;
-    std::string reasons;
-    for (const auto& [reason, count] : lost)
-    {
-        sum += count;
-        reasons += (reasons.empty() ? "" : ", ") + reason + " " + std::to_string(count);
+        while (const auto observation = reader_.next())
+        {
+            if (!builder_.accepts(*observation)) continue;
+            const bool is_wanted = builder_.next_id() == frame;
+            builder_.skip(*observation);
+            if (is_wanted) return {observation};
+        }
+        return {};
     }
-    if (2 * sum > map.loops.size())
-        summary.notes.push_back(std::to_string(sum) + " of " +
-                                count_of(map.loops.size(), "loop closure") +
-                                " have no part in the map: " + reasons);
-}
 
-void add_note_on_frames(const Map& map, MapSummary& summary)
-{
-    if (map.trajectory.poses().empty() || summary.frames_without_pose == 0) return;
-    summary.notes.push_back(count_of(summary.frames_without_pose, "frame") +
-                            " without a pose, for which no motion is known");
-}
+ private:
+    RawlogReader reader_;
+    FrameBuilder builder_;
+};
 
 LoopRow::Unscaled unscaled_row(const UnscaledMotion& motion)
 {
@@ -212,17 +139,20 @@ std::vector<std::string> write_map_files(const Map& map,
     }
     else
         notes.emplace_back("no poses.graph and no poses.g2o: a single keyframe has no edge");
-    if (options.simple_map)
-        write_simple_map(
-            folder.file("map.simplemap"), map.graph, read_keyframes(map.graph, rawlog));
+    if (!options.simple_map) return notes;
+    FrameObservations observations(rawlog);
+    write_simple_map(folder.file("map.simplemap"),
+                     map.graph,
+                     [&](FrameId frame) { return observations.at(frame); });
     return notes;
 }
 
-MapSummary summary_of(const Map& map, std::size_t camera_frames)
+MapSummary summary_of(const Map& map, std::size_t camera_frames, const TGraphOptions& options)
 {
     MapSummary summary;
     summary.frames_without_pose = camera_frames - map.trajectory.poses().size();
     const auto& report = map.trajectory.report();
+    summary.implausible_readings = report.implausible_readings;
     summary.trajectory = to_word(map.trajectory_source);
     if (map.trajectory_source == TrajectorySource::recorded)
         summary.trajectory_source = report.source;
@@ -247,10 +177,7 @@ MapSummary summary_of(const Map& map, std::size_t camera_frames)
     for (const auto& part : map.parts) summary.parts.push_back(part.size());
     summary.is_largest_set = map.is_largest_set;
     summary.optimizations = map.optimizations;
-    add_note_on_sources(map, summary);
-    add_note_on_frames(map, summary);
-    add_notes_on_loops(summary);
-    add_note_on_most_loops(map, summary);
+    summary.notes = notes_on_map(map, summary, options);
     return summary;
 }
 

@@ -37,7 +37,7 @@ std::vector<std::string> write_map_files(const Map& map,
 
 /** The map in numbers; `depth_sources`, `depth_defects` and what write_map_files() says are the
  *  caller's to add. */
-MapSummary summary_of(const Map& map, std::size_t camera_frames);
+MapSummary summary_of(const Map& map, std::size_t camera_frames, const TGraphOptions& options);
 
 /** A loop's row of loops.csv. */
 LoopRow row_of(const LoopEdge& loop);

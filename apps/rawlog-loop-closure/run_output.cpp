@@ -64,6 +64,7 @@ void RunOutput::write_results(const MapBuilder& builder)
     attempt("no more match pictures", [&] { draw_matches(); });
     attempt("no lists of wrong and missed loops", [&] { list_wrong_and_missed(); });
     count_depth_defects();
+    if (options_.stream.detector.relative_pose.enabled) note_sparse_depths();
 }
 
 void RunOutput::write_summary_and_report(std::chrono::steady_clock::time_point start)
@@ -102,7 +103,7 @@ void RunOutput::attempt(const std::string& what_fails, const std::function<void(
 void RunOutput::build_map(const MapBuilder& builder)
 {
     map_.emplace(builder.build(stream_.detector(), times_, throw_if_interrupted));
-    summary_.map = summary_of(*map_, summary_.camera_frames);
+    summary_.map = summary_of(*map_, summary_.camera_frames, options_.graph);
     gathered_.add_map(*map_);
 }
 
@@ -190,6 +191,31 @@ void RunOutput::count_depth_defects()
         if (count == summary_.camera_frames && defect != to_word(DepthDefect::mono) &&
             summary_.map.loops_withheld.count(defect) == 0)
             summary_.map.notes.push_back("no frame has a depth of its own: " + defect);
+}
+
+/** Stereo pairs and depth images that are there, and yet of little use. */
+void RunOutput::note_sparse_depths()
+{
+    constexpr std::size_t kEnoughKeypoints = 100;
+    constexpr std::size_t kEnoughFrames = 8;
+    const auto least = static_cast<std::size_t>(options_.stream.detector.relative_pose.min_points);
+    std::size_t looked_at = 0;
+    std::size_t sparse = 0;
+    for (std::size_t i = 0; i < summary_.camera_frames; ++i)
+    {
+        const auto* place = stream_.detector().find_place(FrameId{i});
+        if (place == nullptr || place->metric.depth_defect != DepthDefect::none ||
+            !place->metric.camera || place->local.positions.size() < kEnoughKeypoints)
+            continue;
+        ++looked_at;
+        if (place->metric.depths.known() < least) ++sparse;
+    }
+    if (looked_at < kEnoughFrames || 2 * sparse < looked_at) return;
+    summary_.map.notes.push_back(
+        std::to_string(sparse) + " of " + std::to_string(looked_at) +
+        " frames have a depth for fewer than " + std::to_string(least) +
+        " keypoints: are left and right image swapped, or the pairs not rectified, or is all "
+        "further away than [depth] max_relative_deviation allows?");
 }
 
 /** Fills in all that is not counted frame by frame. */

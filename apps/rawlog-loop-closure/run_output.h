@@ -52,6 +52,7 @@ class RunOutput
     void draw_matches();
     void write_similarities();
     void count_depth_defects();
+    void note_sparse_depths();
     void complete_summary(std::chrono::steady_clock::time_point start);
 
     const RunRequest& request_;

@@ -16,6 +16,13 @@ TEST(Rejection, HasAWordOfItsOwnForEveryReason)
     EXPECT_EQ(to_word(fild::Rejection::too_few_inliers), "too_few_inliers");
 }
 
+TEST(Rejection, IsUnusableForTheFirstFourReasons)
+{
+    const auto& all = fild::all_rejections();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        EXPECT_EQ(fild::is_unusable(all[i]), i >= 1 && i <= 4) << to_word(all[i]);
+}
+
 TEST(FrameVerdict, IsAcceptedOnlyWithoutARejection)
 {
     fild::FrameVerdict verdict;

@@ -522,4 +522,45 @@ TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)
     EXPECT_EQ(detector.map_bytes(), 3 * (kPoints * (8 + 32 + 8) + kDimension * 4));
 }
 
+/** Places in an order, with a stop of `stop` frames at the third of five; then the first again. */
+std::vector<fild::DetectorOutcome> drive_with_a_stop(const fild::TDetectorOptions& options,
+                                                     std::size_t stop)
+{
+    fild::LoopDetector detector(options, kDimension);
+    fild::StageTimes times;
+    std::vector<std::uint64_t> places{10, 11};
+    places.insert(places.end(), stop, 12);
+    for (const std::uint64_t place : {13, 14, 10, 11, 12}) places.push_back(place);
+    std::vector<fild::DetectorOutcome> outcomes;
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        auto view =
+            view_of(places[i], places[i] == 12 && i < stop + 2 ? 0 : 0.1 * static_cast<double>(i));
+        view.frame = FrameId{i};
+        view.timestamp = 1000 + static_cast<double>(i);
+        outcomes.push_back(detector.process(std::move(view), times));
+    }
+    return outcomes;
+}
+
+// A robot that stands for longer than the delay does not return to where it stands.
+TEST(LoopDetector, ARobotThatStandsStillReturnsToNoPlace)
+{
+    constexpr std::size_t kStop = 20;
+    auto options = options_with_delay(4);
+    options.candidates.neighbour_reach = 3;
+    const auto accepted = [](const std::vector<fild::DetectorOutcome>& outcomes)
+    {
+        std::vector<std::size_t> frames;
+        for (const auto& outcome : outcomes)
+            if (outcome.verdict.accepted()) frames.push_back(to_index(outcome.verdict.frame));
+        return frames;
+    };
+    EXPECT_GT(accepted(drive_with_a_stop(options, kStop)).size(), kStop / 2);
+    options.index.still_seconds = 2;
+    const auto outcomes = drive_with_a_stop(options, kStop);
+    EXPECT_EQ(accepted(outcomes), (std::vector<std::size_t>{kStop + 4, kStop + 5, kStop + 6}));
+    EXPECT_EQ(outcomes[kStop + 6].verdict.candidate->frame, FrameId{2}) << "where the stop began";
+}
+
 }  // namespace

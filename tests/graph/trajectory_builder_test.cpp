@@ -383,6 +383,97 @@ TEST(TrajectoryBuilder, GpsGivesPositionsAndTheHeadingOfTheMovement)
     EXPECT_NEAR(motion->covariance(0, 0), 2 * 4, 0.1) << "both fixes are off by gps_sigma_m";
 }
 
+/** Along a straight street with a fix each second; some are moved. */
+template <class Move>
+fild::Trajectory drive_by_gps(int seconds, Move&& move)
+{
+    TGraphOptions options;
+    options.motion_source = fild::MotionSource::gps;
+    TrajectoryBuilder builder(options);
+    for (int i = 0; i < seconds; ++i)
+    {
+        builder.feed(gps_on_map(i, 10.0 * i + move(i), 0));
+        builder.add_frame(FrameId{static_cast<std::uint64_t>(i)}, i);
+    }
+    return builder.build();
+}
+
+TEST(TrajectoryBuilder, LeavesOutFixesThatTheRobotIsTooSlowFor)
+{
+    for (const int first : {0, 5})  // at the very beginning, too
+    {
+        const auto trajectory =
+            drive_by_gps(60, [&](int i) { return i % 10 == first ? 555.0 : 0.0; });
+        EXPECT_EQ(trajectory.report().implausible_readings, 6U);
+        EXPECT_EQ(trajectory.report().readings, 54U);
+        const auto begin = trajectory.pose(FrameId{1})->map_from_robot;
+        for (const std::uint64_t i : {9U, 15U, 25U, 50U})
+        {
+            const auto pose = trajectory.pose(FrameId{i});
+            ASSERT_TRUE(pose) << i;
+            EXPECT_NEAR(
+                pose->map_from_robot.x() - begin.x(), 10.0 * static_cast<double>(i - 1), 0.1)
+                << i;
+        }
+    }
+}
+
+TEST(TrajectoryBuilder, PlacesTheMapAtTheFirstPlausibleFix)
+{
+    TGraphOptions options;
+    options.motion_source = fild::MotionSource::gps;
+    TrajectoryBuilder builder(options);
+    builder.feed(gps_at(0, 0, 0, 0));  // off the coast of Africa, with a fix
+    for (int i = 1; i < 20; ++i)
+    {
+        builder.feed(gps_on_map(i, 10.0 * i, 0));
+        builder.add_frame(FrameId{static_cast<std::uint64_t>(i)}, i);
+    }
+    const auto trajectory = builder.build();
+    EXPECT_EQ(trajectory.report().implausible_readings, 1U);
+    EXPECT_NEAR(trajectory.pose(FrameId{1})->map_from_robot.x(), 0, 1e-6);
+    EXPECT_NEAR(trajectory.pose(FrameId{19})->map_from_robot.x(), 180, 0.1);
+}
+
+TEST(TrajectoryBuilder, GoesOnWhereAllFixesMoveForGood)
+{
+    const auto trajectory = drive_by_gps(60, [](int i) { return i < 40 ? 0.0 : 300.0; });
+    EXPECT_EQ(trajectory.report().implausible_readings, 0U);
+    const auto noisy = drive_by_gps(60, [](int i) { return i % 2 == 0 ? 8.0 : -8.0; });
+    EXPECT_EQ(noisy.report().implausible_readings, 0U) << "as uncertain as they say";
+}
+
+TEST(TrajectoryBuilder, CountsGpsWithoutGga)
+{
+    TGraphOptions options;
+    options.motion_source = fild::MotionSource::gps;
+    TrajectoryBuilder builder(options);
+    mrpt::obs::CObservationGPS rmc;
+    rmc.timestamp = mrpt::Clock::fromDouble(0);
+    rmc.sensorLabel = "GPS";
+    rmc.setMsg(mrpt::obs::gnss::Message_NMEA_RMC());
+    builder.feed(rmc);
+    builder.feed(gps_at(1, 0, 0, 0, 0));  // GGA without a fix
+    EXPECT_EQ(builder.build().report().fixes_without_gga, 1U);
+    EXPECT_EQ(builder.build().report().unusable_readings, 2U);
+}
+
+TEST(TrajectoryBuilder, ActionsThatLeadTooFarBeginASegment)
+{
+    TrajectoryBuilder builder({});
+    for (int i = 0; i < 6; ++i)
+    {
+        if (i > 0) builder.feed(movement_2d(CPose2D(i == 3 ? 500 : 1, 0, 0)));
+        builder.feed(image_at(i));
+        builder.add_frame(FrameId{static_cast<std::uint64_t>(i)}, i);
+    }
+    const auto trajectory = builder.build();
+    EXPECT_EQ(trajectory.report().resets, 1U);
+    EXPECT_FALSE(trajectory.motion(FrameId{2}, FrameId{3}));
+    EXPECT_NEAR(trajectory.motion(FrameId{3}, FrameId{5})->a_from_b.x(), 2, 1e-9);
+    EXPECT_NEAR(trajectory.pose(FrameId{5})->map_from_robot.x(), 4, 1e-9);
+}
+
 TEST(TrajectoryBuilder, FixesOfAnyDilutionAreIndependent)
 {
     TGraphOptions options;

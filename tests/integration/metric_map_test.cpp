@@ -110,6 +110,7 @@ struct WallDrive
 {
     Sensor sensor = Sensor::stereo;
     bool odometry = true;
+    double odometry_unit = 1;  ///< metres of what it calls one
     std::size_t frames = 2 * kFramesPerLap;
     bool second_wall = false;  ///< the second lap is somewhere else
     std::function<void(mrpt::obs::CObservation&)> change = [](mrpt::obs::CObservation&) {};
@@ -138,20 +139,20 @@ struct WallDrive
             seen->timestamp = mrpt::Clock::fromDouble(static_cast<double>(i));
             seen->sensorLabel = "CAMERA1";
             change(*seen);
-            if (odometry) objects.push_back(reading(i));
+            if (odometry) objects.push_back(reading(i, odometry_unit));
             objects.push_back(seen);
         }
         return objects;
     }
 
  private:
-    static mrpt::obs::CObservationOdometry::Ptr reading(std::size_t frame)
+    static mrpt::obs::CObservationOdometry::Ptr reading(std::size_t frame, double unit)
     {
         auto odometry = mrpt::obs::CObservationOdometry::Create();
         odometry->sensorLabel = "ODOMETRY";
         odometry->timestamp = mrpt::Clock::fromDouble(static_cast<double>(frame));
         const double x = kStep * static_cast<double>(frame % kFramesPerLap);
-        odometry->odometry = {x + (frame >= kFramesPerLap ? kShift : 0), 0, 0};
+        odometry->odometry = {(x + (frame >= kFramesPerLap ? kShift : 0)) / unit, 0, 0};
         return odometry;
     }
 };
@@ -245,6 +246,78 @@ TEST_F(MetricMap, IsMadeFromStereoPairsAndFromDepthImages)
         EXPECT_EQ(map()["loop_edges"], kFramesPerLap);
         EXPECT_EQ(map()["nodes"], 2 * kFramesPerLap);
     }
+}
+
+TEST_F(MetricMap, SaysThatTheCamerasPoseIsWrong)
+{
+    WallDrive drive;
+    write(drive);
+    run_well();
+    EXPECT_EQ(notes(), "[]") << "nothing is wrong";
+    const auto on_robot = [](const mrpt::poses::CPose3D& pose)
+    {
+        return [pose](mrpt::obs::CObservation& seen)
+        {
+            dynamic_cast<mrpt::obs::CObservationStereoImages&>(seen).cameraPose =
+                mrpt::poses::CPose3DQuat(pose);
+        };
+    };
+    drive.change = on_robot({0, 0, 1, CV_PI / 2, 0, 0});  // x looks left, as a robot's axes do
+    write(drive);
+    run_well();
+    EXPECT_THAT(notes(),
+                AllOf(HasSubstr("90 degrees off"), HasSubstr("yaw -90, pitch 0, roll -90")));
+    drive.change = on_robot({0, 0, 1, CV_PI / 2, 0, -CV_PI / 2});  // looks back
+    write(drive);
+    run_well();
+    EXPECT_THAT(notes(), HasSubstr("the camera's pose on the robot is wrong"));
+}
+
+TEST_F(MetricMap, SaysThatDepthsAndOdometryContradictEachOther)
+{
+    WallDrive drive;
+    drive.change = [](mrpt::obs::CObservation& seen)
+    { dynamic_cast<mrpt::obs::CObservationStereoImages&>(seen).rightCameraPose.x() *= 0.1; };
+    write(drive);
+    run_well("--set depth.min_depth_m=0.01");
+    EXPECT_THAT(notes(), HasSubstr("are 0.1 times as long"));
+    drive.change = [](mrpt::obs::CObservation&) {};
+    drive.odometry_unit = 0.1;
+    write(drive);
+    run_well();
+    EXPECT_THAT(notes(), HasSubstr("are 0.1 times as long"));
+    drive.odometry_unit = 0.001;  // millimetres
+    write(drive);
+    run_well();
+    EXPECT_THAT(notes(), AllOf(HasSubstr("was reset, or jumped"), HasSubstr("in metres?")));
+    drive.odometry_unit = 1e9;  // frozen
+    write(drive);
+    run_well();
+    EXPECT_THAT(notes(), HasSubstr("'ODOMETRY' tells no movement"));
+    EXPECT_THAT(notes(), HasSubstr("times as long"));
+}
+
+TEST_F(MetricMap, SaysThatLeftAndRightMayBeSwapped)
+{
+    WallDrive drive;
+    drive.change = [](mrpt::obs::CObservation& seen)
+    {
+        auto& pair = dynamic_cast<mrpt::obs::CObservationStereoImages&>(seen);
+        std::swap(pair.imageLeft, pair.imageRight);
+    };
+    write(drive);
+    run_well();
+    EXPECT_THAT(notes(), HasSubstr("left and right image swapped"));
+}
+
+TEST_F(MetricMap, DoesNotPrintWhatMrptMends)
+{
+    WallDrive drive;
+    drive.sensor = Sensor::depth;
+    drive.change = [](mrpt::obs::CObservation& seen)
+    { dynamic_cast<mrpt::obs::CObservation3DRangeScan&>(seen).cameraParams.ncols = 640; };
+    write(drive);
+    EXPECT_THAT(run().err, ::testing::Not(HasSubstr("autofixing")));
 }
 
 TEST_F(MetricMap, ComesBackThroughMrptsReaders)

@@ -483,14 +483,85 @@ TEST_F(RawlogLoopClosure, CountsWhatItCannotUse)
     objects.insert(objects.begin() + 2, image_observation(black, 1.5));
     objects.insert(objects.begin() + 5, image_observation(cv::Mat::zeros(1, 1, CV_8UC1), 3.5));
     objects.insert(objects.begin() + 6, image_observation(black, 3.5));
+    objects.insert(objects.begin() + 7, image_observation(black, 3.5));
     write_rawlog(objects);
     ASSERT_EQ(run().exit_code, 0);
     const auto all = rows();
-    ASSERT_EQ(all.size(), 19U);
+    ASSERT_EQ(all.size(), 20U);
     EXPECT_EQ(all[2].rejection, "too_early");
     EXPECT_EQ(all[5].rejection, "image_size_changed");
-    EXPECT_EQ(all[6].rejection, "repeated_timestamp");
+    EXPECT_EQ(all[6].rejection, "too_early") << "another image";
+    EXPECT_EQ(all[7].rejection, "repeated_timestamp");
     EXPECT_EQ(summary()["frames"]["loop_closures"], 8);
+}
+
+TEST_F(RawlogLoopClosure, FailsWhenItCanUseOneFrameOfMany)
+{
+    Objects objects;
+    const auto image = fild::testing::draw_two_laps(1)[0];
+    for (int i = 0; i < 5; ++i) objects.push_back(fild::testing::image_observation(image, 1));
+    write_rawlog(objects);
+    EXPECT_THAT(error(), HasSubstr("only one frame of 5 could be used (4 repeated_timestamp)"));
+    objects.assign(1, objects[0]);
+    write_rawlog(objects);
+    EXPECT_EQ(run().exit_code, 0) << "a recording of one frame";
+}
+
+TEST_F(RawlogLoopClosure, SaysWhyNoFrameIsOldEnough)
+{
+    auto objects = two_laps();
+    write_rawlog(objects);
+    EXPECT_THAT(run("--quiet --set index.delay_seconds=60").err,
+                AllOf(HasSubstr("span 15 s"), HasSubstr("[index] delay_seconds = 60")));
+    EXPECT_THAT(run("--quiet --set index.delay_seconds=10 --set index.frame_rate=2").err,
+                HasSubstr("not more than [index] delay_seconds x frame_rate = 20 frames"));
+    for (auto& object : objects)
+        std::dynamic_pointer_cast<mrpt::obs::CObservation>(object)->timestamp =
+            mrpt::Clock::fromDouble(1000);
+    write_rawlog(objects);
+    const auto all_the_same = run("--quiet");
+    EXPECT_THAT(all_the_same.err, AllOf(HasSubstr("all the same"), HasSubstr("frame_rate")));
+    EXPECT_EQ(summary()["frames"]["notes"].size(), 1U);
+    EXPECT_THAT(run("--quiet --set index.frame_rate=1").out, HasSubstr("8 loop closures"));
+}
+
+TEST_F(RawlogLoopClosure, GoesOnWithoutACalibrationForAnotherSize)
+{
+    auto objects = two_laps();
+    for (auto& object : objects)
+    {
+        auto& camera =
+            std::dynamic_pointer_cast<mrpt::obs::CObservationImage>(object)->cameraParams;
+        camera.setIntrinsicParamsFromValues(300, 300, 160, 120);
+        camera.ncols = 640;
+        camera.nrows = 480;
+    }
+    write_rawlog(objects);
+    const auto finished = run("--quiet");
+    EXPECT_EQ(finished.exit_code, 0);
+    EXPECT_THAT(finished.out, HasSubstr("8 loop closures"));
+    EXPECT_THAT(finished.err,
+                HasSubstr("set [input] camera_parameters = 300 300 160 120 320 240\n"));
+    EXPECT_THAT(run("--quiet --set 'input.camera_parameters=300 300 160 120 320 240'").err,
+                Not(HasSubstr("calibration")));
+}
+
+TEST_F(RawlogLoopClosure, NamesThePixelsThatItCannotUse)
+{
+    Objects objects;
+    for (int i = 0; i < 3; ++i)
+        objects.push_back(fild::testing::image_observation(cv::Mat(48, 64, CV_32FC1, 0.5), i));
+    write_rawlog(objects);
+    EXPECT_THAT(error(),
+                AllOf(HasSubstr("3 unsupported_image"), HasSubstr("32 bit floating point")));
+}
+
+TEST_F(RawlogLoopClosure, WritesLabelsThatAreNotUtf8)
+{
+    write_rawlog(two_laps("K\xE4mera"));
+    ASSERT_EQ(run().exit_code, 0);
+    EXPECT_THAT(frames_csv(), HasSubstr(",K\xC3\xA4mera,"));
+    EXPECT_THAT(read_text(path("out/loops.csv")), HasSubstr(",K\xC3\xA4mera,"));
 }
 
 TEST_F(RawlogLoopClosure, FindsASecondLapWithImagesOfAnotherSizeInGrey)

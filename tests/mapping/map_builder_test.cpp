@@ -204,6 +204,91 @@ TEST(MapBuilder, TellsThePartsOfAMapThatFallsApart)
     EXPECT_LT(error_of(two_laps.optimized), 0.5);
 }
 
+/** The same world, seen by a robot whose camera is said to be where `change` says. */
+template <class Change>
+fild::MotionAgreement agreement_of(const Recorded& recorded, Change&& change)
+{
+    return map_of(kFramesPerLap, recorded, detector_options(), change).agreement;
+}
+
+TEST(MapBuilder, FindsThatCameraAndOdometryAgree)
+{
+    for (const bool depth : {true, false})
+    {
+        const auto agreement = agreement_of({depth, true, true}, [](FrameDescription&) {});
+        EXPECT_GE(agreement.direction_error_deg.count, 20U);
+        EXPECT_LT(agreement.direction_error_deg.upper, 15);
+        EXPECT_FALSE(agreement.contradicts_directions());
+        EXPECT_FALSE(agreement.contradicts_lengths());
+        EXPECT_EQ(agreement.length_ratio.count > 0, depth);
+    }
+}
+
+TEST(MapBuilder, FindsThatTheCamerasPoseLacksTheTurnToItsAxes)
+{
+    const auto forget_the_turn = [](FrameDescription& frame) {
+        frame.metric.robot_from_camera = fild::RigidTransform{cv::Matx33d::eye(), {0.4, 0.1, 1}};
+    };
+    for (const bool depth : {true, false})
+    {
+        const auto agreement = agreement_of({depth, true, true}, forget_the_turn);
+        EXPECT_TRUE(agreement.contradicts_directions()) << depth;
+        EXPECT_TRUE(agreement.lacks_turn()) << depth;
+    }
+    const auto look_left = [](FrameDescription& frame) {
+        frame.metric.robot_from_camera = fild::rigid_transform_from({0.4, 0.1, 1, 0, 0, -M_PI / 2});
+    };
+    const auto agreement = agreement_of({true, true, true}, look_left);
+    EXPECT_TRUE(agreement.contradicts_directions());
+    EXPECT_FALSE(agreement.lacks_turn());
+}
+
+TEST(MapBuilder, FindsThatDepthsAndOdometryHaveOtherUnits)
+{
+    for (const float factor : {0.2F, 5.0F})
+    {
+        const auto agreement = agreement_of({true, true, true},
+                                            [&](FrameDescription& frame)
+                                            {
+                                                for (auto& z : frame.metric.depths.metres)
+                                                    z *= factor;
+                                                for (auto& s : frame.metric.depths.deviations_m)
+                                                    s *= factor;
+                                            });
+        EXPECT_TRUE(agreement.contradicts_lengths()) << factor;
+        EXPECT_NEAR(agreement.length_ratio.median / static_cast<double>(factor), 1, 0.1);
+        EXPECT_FALSE(agreement.contradicts_directions());
+    }
+}
+
+TEST(MapBuilder, HasOneEdgeForAllLoopsOfARobotThatStands)
+{
+    const PointWorld world;
+    auto options = detector_options();
+    options.index.still_seconds = 2;
+    fild::LoopDetector detector(options, fild::testing::kDescriptorLength);
+    fild::MapBuilder builder(options, fild::TGraphOptions());
+    fild::StageTimes times;
+    constexpr std::size_t kStop = kFramesPerLap + 5;  // on the second lap
+    constexpr std::size_t kStays = 15;
+    for (std::size_t i = 0; i < kStop + kStays; ++i)
+    {
+        const auto where = std::min(i, kStop);
+        auto odometry = fild::testing::drifting_odometry(where);
+        odometry.timestamp = mrpt::Clock::fromDouble(static_cast<double>(i));
+        builder.feed(odometry);
+        auto seen = world.describe(where, {});
+        seen.frame = fild::FrameId{i};
+        seen.timestamp = static_cast<double>(i);
+        builder.add(detector.process(std::move(seen), times));
+    }
+    const auto map = builder.build(detector, times);
+    constexpr std::size_t kBeforeItCounts = 2;  // frames
+    EXPECT_GE(map.loops.size(), kStays);
+    EXPECT_EQ(withheld(map, Withheld::stood_still), kStays - kBeforeItCounts);
+    EXPECT_LE(map.graph.nodes.size(), kStop + 1 + kBeforeItCounts + 1) << "and the last frame";
+}
+
 TEST(MapBuilder, MakesAMapOfOneFrameAndOfNone)
 {
     const auto nothing = [](FrameDescription&) {};

@@ -142,12 +142,12 @@ TEST(FrameBuilder, MarksFramesThatCannotBeUsedAndKeepsTheirIds)
     auto builder = default_builder();
     const auto at = [](const cv::Mat& image, double seconds)
     { return image_observation(image, seconds); };
-    EXPECT_EQ(defect_of(builder, at(draw_image(CV_16UC1), 1)), Rejection::unsupported_image);
+    EXPECT_EQ(defect_of(builder, at(draw_image(CV_32FC1), 1)), Rejection::unsupported_image);
     EXPECT_EQ(defect_of(builder, at(draw_image(), 2)), Rejection::none);
     EXPECT_EQ(defect_of(builder, at(draw_image(), 2)), Rejection::repeated_timestamp);
     EXPECT_EQ(defect_of(builder, at(draw_image(CV_8UC1, 0, {24, 32}), 3)),
               Rejection::image_size_changed);
-    EXPECT_EQ(defect_of(builder, at(draw_image(CV_32FC1), 4)), Rejection::unsupported_image);
+    EXPECT_EQ(defect_of(builder, at(draw_image(CV_32SC1), 4)), Rejection::unsupported_image);
     EXPECT_EQ(defect_of(builder, at(cv::Mat(), 5)), Rejection::missing_image);
     EXPECT_EQ(defect_of(builder, at(draw_image(), 1)), Rejection::none) << "back in time";
     EXPECT_EQ(to_index(builder.next_id()), 7U);
@@ -167,6 +167,110 @@ TEST(FrameBuilder, GivesAFrameWithoutATimeStampThatOfTheFrameBefore)
     EXPECT_EQ(defect_of(builder, image_observation(draw_image(), 8)), Rejection::none);
 }
 
+TEST(FrameBuilder, UsesAnotherImageWithTheTimeStampOfTheOneBefore)
+{
+    auto builder = default_builder();
+    const auto at = [](int seed, double seconds)
+    { return image_observation(draw_image(CV_8UC1, seed), seconds); };
+    EXPECT_EQ(defect_of(builder, at(0, 2)), Rejection::none);
+    EXPECT_EQ(defect_of(builder, at(20, 2)), Rejection::none) << "stamps in whole seconds";
+    EXPECT_EQ(defect_of(builder, at(20, 2)), Rejection::repeated_timestamp);
+    EXPECT_EQ(defect_of(builder, at(20, 2)), Rejection::repeated_timestamp);
+    EXPECT_EQ(defect_of(builder, at(20, 3)), Rejection::none) << "a robot that stands";
+    EXPECT_EQ(defect_of(builder, at(0, 3)), Rejection::none);
+}
+
+TEST(FrameBuilder, ReadsImagesOf16Bits)
+{
+    auto builder = default_builder();
+    cv::Mat twelve_bits;  // in 16: values up to 4000
+    draw_image(CV_8UC1, 3).convertTo(twelve_bits, CV_16U, 16);
+    ASSERT_TRUE(builder.accepts(*image_observation(twelve_bits, 0)));
+    const auto frame = builder.build(*image_observation(twelve_bits, 0));
+    EXPECT_EQ(frame.defect, Rejection::none);
+    ASSERT_EQ(frame.image.type(), CV_8UC1);
+    double darkest = 0;
+    double brightest = 0;
+    cv::minMaxLoc(frame.image, &darkest, &brightest);
+    EXPECT_EQ(darkest, 0);
+    EXPECT_EQ(brightest, 255);
+    cv::Mat dim;  // 8 bits of noise at most are not spread
+    draw_image(CV_8UC3, 3).convertTo(dim, CV_16U, 0.1);
+    const auto colour = builder.build(*image_observation(dim, 1));
+    ASSERT_EQ(colour.image.type(), CV_8UC3);
+    cv::minMaxLoc(colour.image.reshape(1), &darkest, &brightest);
+    EXPECT_EQ(brightest - darkest, 25 - 2);
+}
+
+TEST(FrameBuilder, SaysWhatIsWrongWithPixelsThatItCannotUse)
+{
+    auto builder = default_builder();
+    EXPECT_EQ(builder.first_unsupported_image(), "");
+    builder.build(*image_observation(draw_image(), 0));
+    builder.build(*image_observation(draw_image(CV_32FC1), 1));
+    builder.build(*image_observation(draw_image(CV_64FC1), 2));
+    EXPECT_EQ(builder.first_unsupported_image(), "frame 1: 32 bit floating point, 1 channel");
+}
+
+TEST(FrameBuilder, WritesLabelsInUtf8)
+{
+    TInputOptions options;
+    options.sensor_label = "K\xC3\xA4mera";
+    FrameBuilder builder(options, "/nowhere/run.rawlog");
+    for (const std::string label : {"K\xE4mera", "K\xC3\xA4mera"})  // Latin-1, UTF-8
+    {
+        const auto observation = image_observation(draw_image(), 0, label);
+        ASSERT_TRUE(builder.accepts(*observation));
+        EXPECT_EQ(builder.build(*observation).sensor_label, options.sensor_label);
+    }
+    EXPECT_EQ(builder.describe_labels(), "camera labels there: K\xC3\xA4mera; others: none");
+}
+
+/** An observation whose camera is calibrated for another size than its images, 64x48. */
+mrpt::obs::CObservationImage::Ptr wrongly_calibrated(int width, int height, double cx, double cy)
+{
+    auto observation = image_observation(draw_image(), 0);
+    observation->cameraParams.setIntrinsicParamsFromValues(100, 101, cx, cy);
+    observation->cameraParams.ncols = static_cast<std::uint32_t>(width);
+    observation->cameraParams.nrows = static_cast<std::uint32_t>(height);
+    return observation;
+}
+
+TEST(FrameBuilder, GoesOnWithoutACalibrationForAnotherImageSize)
+{
+    auto builder = default_builder();
+    const auto frame = builder.build(*wrongly_calibrated(320, 240, 160, 120));
+    EXPECT_EQ(frame.defect, Rejection::none);
+    EXPECT_FALSE(frame.camera);
+    auto twice = wrongly_calibrated(320, 240, 160, 120);
+    twice->timestamp = mrpt::Clock::fromDouble(1);
+    builder.build(*twice);
+    EXPECT_THAT(builder.calibration_notes(),
+                ElementsAre("the calibration of camera 'CAMERA1' is for 320x240 pixels, its images "
+                            "have 64x48: it is not used; if the images were made smaller, set "
+                            "[input] camera_parameters = 20 20.2 31.6 23.6 64 48"));
+}
+
+TEST(FrameBuilder, SaysTheNumbersThatMendACalibration)
+{
+    auto only_size = default_builder();  // the principal point is in the middle of the images
+    only_size.build(*wrongly_calibrated(640, 480, 31.5, 24));
+    EXPECT_THAT(only_size.calibration_notes(),
+                ElementsAre(HasSubstr("if only the size is wrong, set [input] camera_parameters = "
+                                      "100 101 31.5 24 64 48")));
+    auto distorted = default_builder();
+    auto observation = wrongly_calibrated(128, 96, 64, 48);
+    observation->cameraParams.distortion = mrpt::img::DistortionModel::plumb_bob;
+    observation->cameraParams.dist = {0.1, 0.01, 0.001, 0.002, 0.5};
+    distorted.build(*observation);
+    EXPECT_THAT(distorted.calibration_notes(),
+                ElementsAre(HasSubstr("= 50 50.5 31.75 23.75 64 48 0.1 0.01 0.001 0.002 0.5")));
+    auto cropped = default_builder();
+    cropped.build(*wrongly_calibrated(640, 200, 320, 100));
+    EXPECT_THAT(cropped.calibration_notes(),
+                ElementsAre(AllOf(HasSubstr("640x200"), HasSubstr("calibrate it for that size"))));
+}
+
 TEST(FrameBuilder, DropsAlpha)
 {
     auto builder = default_builder();
@@ -180,9 +284,7 @@ TEST(FrameBuilder, SkippingCountsAsBuildingDoes)
     builder.skip(*external_observation("none.png", 1));
     builder.skip(*image_observation(draw_image(), 2));
     EXPECT_EQ(to_index(builder.next_id()), 2U);
-    EXPECT_EQ(builder.build(*image_observation(draw_image(), 2)).defect,
-              Rejection::repeated_timestamp);
-    EXPECT_EQ(to_index(builder.build(*image_observation(draw_image(), 3)).id), 3U);
+    EXPECT_EQ(to_index(builder.build(*image_observation(draw_image(), 3)).id), 2U);
 }
 
 /** A folder with `run.rawlog`'s images in the sub-folder `dir`. */
@@ -215,6 +317,52 @@ TEST(FrameBuilder, FindsExternalImagesInANamedFolderAndByAbsolutePath)
     auto unnamed = default_builder();
     EXPECT_EQ(defect_of(unnamed, external_observation(folder.path("elsewhere/a.png"), 0)),
               Rejection::none);
+}
+
+TEST(FrameBuilder, LooksInTheNamedFolderForImagesOfAnotherComputer)
+{
+    const TemporaryFolder folder;
+    write_image(folder, "elsewhere/left", "a.png");
+    TInputOptions options;
+    options.images_dir = folder.path("elsewhere");
+    FrameBuilder builder(options, "/nowhere/run.rawlog");
+    double seconds = 0;
+    for (const std::string name : {"/home/someone/elsewhere/left/a.png",
+                                   R"(C:\data\run_Images\left\a.png)",
+                                   R"(left\a.png)"})
+        EXPECT_EQ(defect_of(builder, external_observation(name, seconds++)), Rejection::none)
+            << name;
+    options.images_dir = folder.path("elsewhere/left");
+    FrameBuilder inside(options, "/nowhere/run.rawlog");
+    EXPECT_EQ(defect_of(inside, external_observation("/home/someone/left/a.png", 0)),
+              Rejection::none);
+    EXPECT_EQ(defect_of(inside, external_observation("/home/someone/b.png", 1)),
+              Rejection::missing_image);
+    EXPECT_EQ(inside.first_missing_image(), "/home/someone/b.png");
+    EXPECT_EQ(defect_of(inside, external_observation("right/a.png", 2)), Rejection::missing_image)
+        << "is not left/a.png";
+}
+
+TEST(FrameBuilder, FindsImagesWhoseEndingIsWrittenInOtherLetters)
+{
+    const TemporaryFolder folder;
+    write_image(folder, "run_Images", "a.jpg");
+    write_image(folder, "run_Images", "b.PNG");
+    FrameBuilder builder(TInputOptions(), folder.path("run.rawlog"));
+    EXPECT_EQ(defect_of(builder, external_observation("a.JPG", 0)), Rejection::none);
+    EXPECT_EQ(defect_of(builder, external_observation("b.png", 1)), Rejection::none);
+    EXPECT_EQ(defect_of(builder, external_observation("A.jpg", 2)), Rejection::missing_image);
+}
+
+TEST(FrameBuilder, TellsImagesThatAreThereFromThoseThatAreMissing)
+{
+    const TemporaryFolder folder;
+    write_image(folder, "run_Images", "good.jpg");
+    write_text(folder.path("run_Images/broken.jpg"), "no image");
+    FrameBuilder builder(TInputOptions(), folder.path("run.rawlog"));
+    builder.build(*external_observation("broken.jpg", 0));
+    EXPECT_EQ(builder.first_missing_image(),
+              folder.path("run_Images/broken.jpg") + ", which cannot be read");
 }
 
 TEST(FrameBuilder, SkipsMissingAndBrokenImages)

@@ -415,11 +415,11 @@ TEST(ImageRawlog, RefusesPixelsAndSizesThatCannotBeUsed)
 {
     const TemporaryFolder folder;
     draw_images(folder);
-    cv::imwrite(folder.path("in/deep.png"), draw_image(CV_16UC1));
+    cv::imwrite(folder.path("in/deep.tif"), draw_image(CV_32FC1));
     EXPECT_THAT(error_of(folder,
-                         fild::mono_recording({listed(folder.path("in/deep.png"), 0)}),
+                         fild::mono_recording({listed(folder.path("in/deep.tif"), 0)}),
                          request_in(folder)),
-                HasSubstr("8-bit"));
+                AllOf(HasSubstr("8 or 16 bit"), HasSubstr("32 bit floating point")));
     auto recording = four_frames(folder);
     recording.calibration = calibration("50 51 32 24 640 480");
     EXPECT_THAT(error_of(folder, recording, request_in(folder)),

@@ -188,12 +188,29 @@ TEST(MetricContent, NotesAMissingRightImageOrStops)
                 ::testing::HasSubstr("none.png"));
 }
 
-TEST(MetricContent, RefusesARightCalibrationForAnotherSize)
+TEST(MetricContent, NotesARightCalibrationForAnotherSize)
 {
-    auto stereo = stereo_pair();
-    stereo->imageRight = to_image(draw_image(CV_8UC1, 0, {32, 24}));
-    EXPECT_THAT(message_of<std::runtime_error>([&] { metric_frame(*stereo); }),
-                ::testing::HasSubstr("right camera of 'STEREO'"));
+    using ::testing::AllOf;
+    using ::testing::ElementsAre;
+    using ::testing::HasSubstr;
+    const auto notes_of = [](const mrpt::obs::CObservationStereoImages& stereo)
+    {
+        FrameBuilder builder(TInputOptions(), "/nowhere/run.rawlog", FrameContent::metric);
+        const auto frame = builder.build(stereo);
+        EXPECT_EQ(frame.depth_defect, DepthDefect::not_calibrated);
+        EXPECT_TRUE(frame.camera) << "the left one is good";
+        return builder.calibration_notes();
+    };
+    auto other_image = stereo_pair();
+    other_image->imageRight = to_image(draw_image(CV_8UC1, 0, {32, 24}));
+    EXPECT_THAT(notes_of(*other_image),
+                ElementsAre(AllOf(HasSubstr("right camera of 'STEREO' is for 64x48 pixels"),
+                                  HasSubstr("its images have 32x24"))));
+    auto other_calibration = stereo_pair();
+    other_calibration->rightCamera.ncols = 640;
+    EXPECT_THAT(notes_of(*other_calibration),
+                ElementsAre(AllOf(HasSubstr("is for 640x48 pixels"),
+                                  HasSubstr("if only the size is wrong"))));
 }
 
 TEST(MetricContent, OfARangeScanIsTheDepthOfEachPixel)

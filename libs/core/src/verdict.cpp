@@ -51,9 +51,9 @@ std::string meaning_of(Rejection rejection)
             return "the image cannot be scaled to the size of this camera's first image; the frame "
                    "is skipped";
         case Rejection::repeated_timestamp:
-            return "same time stamp as this camera's frame before; the frame is skipped";
+            return "time stamp and image of this camera's frame before; the frame is skipped";
         case Rejection::unsupported_image:
-            return "neither 8 bit grey nor 8 bit colour; the frame is skipped";
+            return "neither grey nor colour of 8 or 16 bit; the frame is skipped";
         case Rejection::too_early:
             return "no earlier frame is old enough yet: [index] delay_seconds";
         case Rejection::no_candidate:
@@ -76,6 +76,12 @@ std::string meaning_of(Rejection rejection)
                    "or consecutive_frames";
     }
     return "";
+}
+
+bool is_unusable(Rejection rejection)
+{
+    return rejection == Rejection::missing_image || rejection == Rejection::image_size_changed ||
+           rejection == Rejection::repeated_timestamp || rejection == Rejection::unsupported_image;
 }
 
 const std::vector<Rejection>& all_rejections()

@@ -130,7 +130,8 @@ LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_d
           options.index, global_dimension, static_cast<std::uint64_t>(options.runtime.seed))),
       pairs_(options),
       poses_(options.relative_pose, static_cast<std::uint64_t>(options.runtime.seed)),
-      consistency_(options.consistency)
+      consistency_(options.consistency),
+      standstill_(options.index.still_seconds)
 {
     candidate_options_.check();
     options.check_between_sections();
@@ -152,14 +153,26 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
     if (description.defect != Rejection::none)
         return {verdict_of(description, description.defect), {}, {}, {}};
 
-    const double now = clock_.advance(description.sensor_label, description.timestamp);
-    insert_released(queue_.push({description.frame, now, description.global}), times);
+    const auto stands_since = enqueue(description, times);
     auto outcome = find_loop(description, times);
     check_consistency(outcome);
     add_pose(outcome, description, times);
     outcome.global = description.global;
-    remember(std::move(description));
+    remember(std::move(description), stands_since);
     return outcome;
+}
+
+/** The frame becomes a candidate after the delay, unless its camera stands still: then it shows
+ *  nothing new. \return since when it stands. */
+std::optional<FrameId> LoopDetector::enqueue(const FrameDescription& description, StageTimes& times)
+{
+    const double now = clock_.advance(description.sensor_label, description.timestamp);
+    const auto stands_since =
+        standstill_.add(description.frame, description.sensor_label, description.local, now);
+    if (stands_since) return stands_since;
+    const double moving = standstill_.moving_seconds();
+    insert_released(queue_.push({description.frame, moving, description.global}), times);
+    return std::nullopt;
 }
 
 void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& released,
@@ -283,7 +296,8 @@ std::optional<FrameId> LoopDetector::neighbour_of(FrameId place, bool later) con
     {
         id = later ? id + 1 : id - 1;
         const auto found = places_.find(FrameId{id});
-        if (found != places_.end() && found->second.sensor_label == label) return FrameId{id};
+        const bool is_in_index = found != places_.end() && !found->second.stands_since;
+        if (is_in_index && found->second.sensor_label == label) return FrameId{id};
     }
     return std::nullopt;
 }
@@ -341,7 +355,7 @@ const Place* LoopDetector::find_place(FrameId frame) const
     return found == places_.end() ? nullptr : &found->second;
 }
 
-void LoopDetector::remember(FrameDescription description)
+void LoopDetector::remember(FrameDescription description, std::optional<FrameId> stands_since)
 {
     map_bytes_ += bytes_of(description.local) + bytes_of(description.metric.depths) +
                   description.global.size() * sizeof(float);
@@ -349,7 +363,8 @@ void LoopDetector::remember(FrameDescription description)
                     Place{description.timestamp,
                           std::move(description.sensor_label),
                           std::move(description.local),
-                          std::move(description.metric)});
+                          std::move(description.metric),
+                          stands_since});
 }
 
 }  // namespace fild

@@ -29,18 +29,12 @@ LossStage stage_of_candidate(Rejection rejection)
     }
 }
 
-bool unusable(Rejection rejection)
-{
-    return rejection == Rejection::missing_image || rejection == Rejection::image_size_changed ||
-           rejection == Rejection::repeated_timestamp || rejection == Rejection::unsupported_image;
-}
-
 LossStage stage_of(const JudgedFrame& frame,
                    const std::vector<ConsideredCandidate>& answers,
                    const LoopTruth& truth)
 {
     const auto& verdict = frame.verdict;
-    if (unusable(verdict.rejection)) return LossStage::frame;
+    if (is_unusable(verdict.rejection)) return LossStage::frame;
     if (verdict.rejection == Rejection::too_early) return LossStage::too_early;
     auto furthest = LossStage::retrieval;
     for (const auto& answer : answers)

@@ -134,6 +134,7 @@ struct GraphFormat
 {
     std::string (*vertex)(const GraphNode&);
     std::string (*edge)(const GraphEdge&);
+    bool fixes_first;  ///< a line FIX, which MRPT takes the root from
 };
 
 void write_graph(const std::string& path, const PoseGraph& graph, const GraphFormat& format)
@@ -142,7 +143,8 @@ void write_graph(const std::string& path, const PoseGraph& graph, const GraphFor
     WholeFile file(path);
     auto& stream = file.stream();
     for (const auto& node : graph.nodes) stream << format.vertex(node) << '\n';
-    if (!graph.nodes.empty()) stream << "FIX " << to_index(graph.nodes.front().frame) << '\n';
+    if (format.fixes_first && !graph.nodes.empty())
+        stream << "FIX " << to_index(graph.nodes.front().frame) << '\n';
     for (const auto* edges : {&graph.odometry, &graph.loops})
         for (const auto& edge : *edges) stream << format.edge(edge) << '\n';
     file.commit();
@@ -154,13 +156,13 @@ void write_mrpt_graph(const std::string& path, const PoseGraph& graph, GraphDime
     const bool is_planar = dimensions == GraphDimensions::planar;
     write_graph(path,
                 graph,
-                is_planar ? GraphFormat{planar_vertex, planar_edge}
-                          : GraphFormat{spatial_vertex, spatial_edge});
+                is_planar ? GraphFormat{planar_vertex, planar_edge, true}
+                          : GraphFormat{spatial_vertex, spatial_edge, true});
 }
 
 void write_g2o(const std::string& path, const PoseGraph& graph)
 {
-    write_graph(path, graph, {g2o_vertex, g2o_edge});
+    write_graph(path, graph, {g2o_vertex, g2o_edge, false});
 }
 
 }  // namespace fild

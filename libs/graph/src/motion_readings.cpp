@@ -126,19 +126,25 @@ bool is_gps(const mrpt::obs::CObservation& observation)
     return dynamic_cast<const mrpt::obs::CObservationGPS*>(&observation) != nullptr;
 }
 
+bool has_gga(const mrpt::obs::CObservation& observation)
+{
+    const auto* gps = dynamic_cast<const mrpt::obs::CObservationGPS*>(&observation);
+    return gps != nullptr && gps->hasMsgClass<mrpt::obs::gnss::Message_NMEA_GGA>();
+}
+
 std::optional<GpsFix> gps_fix_of(const mrpt::obs::CObservation& observation)
 {
     using mrpt::obs::gnss::Message_NMEA_GGA;
-    const auto* gps = dynamic_cast<const mrpt::obs::CObservationGPS*>(&observation);
-    if (gps == nullptr || !gps->hasMsgClass<Message_NMEA_GGA>()) return std::nullopt;
-    const auto& gga = gps->getMsgByClass<Message_NMEA_GGA>().fields;
+    if (!has_gga(observation)) return std::nullopt;
+    const auto& gps = dynamic_cast<const mrpt::obs::CObservationGPS&>(observation);
+    const auto& gga = gps.getMsgByClass<Message_NMEA_GGA>().fields;
     const auto hdop = static_cast<double>(gga.HDOP);
     GpsFix fix;
     fix.latitude_deg = gga.latitude_degrees;
     fix.longitude_deg = gga.longitude_degrees;
     fix.height_m = gga.altitude_meters;
     if (gga.thereis_HDOP && hdop > 0) fix.hdop = hdop;
-    const auto& antenna = gps->sensorPose;
+    const auto& antenna = gps.sensorPose;
     fix.antenna_on_robot = {antenna.x(), antenna.y(), antenna.z()};
     const bool is_finite =
         std::isfinite(fix.latitude_deg + fix.longitude_deg + fix.height_m + fix.hdop);

@@ -52,6 +52,9 @@ std::optional<MovementReading> movement_reading_of(const mrpt::obs::CActionColle
 /** True for CObservationGPS, with a fix or without. */
 bool is_gps(const mrpt::obs::CObservation& observation);
 
+/** True for CObservationGPS with a GGA message, the only one that is read. */
+bool has_gga(const mrpt::obs::CObservation& observation);
+
 /** Nothing for other observations, without a GGA message, and when it tells no fix. */
 std::optional<GpsFix> gps_fix_of(const mrpt::obs::CObservation& observation);
 

@@ -2,7 +2,9 @@
 #include "fild/graph/trajectory_builder.h"
 
 #include "fild/core/angle.h"
+#include "fild/core/utf8.h"
 #include "motion_readings.h"
+#include "plausible_fixes.h"
 #include "trajectory_frame.h"
 #include "wheel_model.h"
 
@@ -143,8 +145,8 @@ struct TrajectoryBuilder::State
     void add_pose(double seconds, const PoseReading& reading);
     void add_movement(const MovementReading& reading);
     void place_pending_movement(double seconds);
-    void add_fix(double seconds, const GpsFix& fix);
     std::optional<Rigid> hidden_movement(double seconds) const;
+    bool is_too_fast(const Rigid& before, const Rigid& now, double seconds) const;
     bool is_reset(const Rigid& before, const Rigid& now, double seconds) const;
     void push(double seconds, UncertainPose pose);
     void begin_segment(UncertainPose& pose);
@@ -153,8 +155,8 @@ struct TrajectoryBuilder::State
     TrajectoryReport report;
     std::set<std::string> other_sources;
     std::vector<Reading> readings;
-    std::vector<Position> positions;
-    std::vector<ClockRun> runs;  ///< of readings, or of positions
+    std::vector<TimedFix> fixes;
+    std::vector<ClockRun> runs;  ///< of readings, or of fixes
     std::optional<double> last_seconds;
     std::optional<Rigid> last_raw;  ///< as the sensor told it
     Driven driven;
@@ -193,8 +195,7 @@ bool TrajectoryBuilder::State::is_source(const std::string& name, const std::str
 bool TrajectoryBuilder::State::is_usable(double seconds)
 {
     constexpr double kLate = 1;  // s; further back is another clock
-    const auto index =
-        options.motion_source == MotionSource::gps ? positions.size() : readings.size();
+    const auto index = options.motion_source == MotionSource::gps ? fixes.size() : readings.size();
     if (last_seconds && seconds <= *last_seconds && seconds > *last_seconds - kLate)
     {
         ++report.late_readings;
@@ -210,15 +211,22 @@ bool TrajectoryBuilder::State::is_usable(double seconds)
     return true;
 }
 
-bool TrajectoryBuilder::State::is_reset(const Rigid& before, const Rigid& now, double seconds) const
+bool TrajectoryBuilder::State::is_too_fast(const Rigid& before,
+                                           const Rigid& now,
+                                           double seconds) const
 {
     constexpr double kJitter = 1;  // m, where two time stamps are too close
-    constexpr double kAway = 0.1;  // m and rad: not at its origin
     const double elapsed =
         last_seconds && seconds > *last_seconds ? seconds - *last_seconds : options.max_gap_s;
     const double moved = (now.translation - before.translation).norm();
+    return moved > options.max_speed_m_per_s * elapsed + kJitter;
+}
+
+bool TrajectoryBuilder::State::is_reset(const Rigid& before, const Rigid& now, double seconds) const
+{
+    constexpr double kAway = 0.1;  // m and rad: not at its origin
     const bool begins_anew = tangent_of(now).norm() == 0 && tangent_of(before).norm() > kAway;
-    return begins_anew || moved > options.max_speed_m_per_s * elapsed + kJitter;
+    return begins_anew || is_too_fast(before, now, seconds);
 }
 
 /** What the robot may have driven in a gap before a reading, where its ends may lie side by side:
@@ -315,6 +323,12 @@ void TrajectoryBuilder::State::add_movement(const MovementReading& reading)
 void TrajectoryBuilder::State::place_pending_movement(double seconds)
 {
     const bool is_last = !readings.empty() && last_seconds == seconds;
+    if (!readings.empty() &&
+        is_too_fast(readings.back().at.map_from_robot, current.map_from_robot, seconds))
+    {
+        current = readings.back().at;
+        begin_segment(current);
+    }
     if (is_last)
         readings.back().at = current;  // several actions before one time stamp
     else if (is_usable(seconds))
@@ -322,13 +336,6 @@ void TrajectoryBuilder::State::place_pending_movement(double seconds)
     else
         return;  // it waits for a time that can be used
     is_movement_pending = false;
-}
-
-void TrajectoryBuilder::State::add_fix(double seconds, const GpsFix& fix)
-{
-    if (!is_usable(seconds)) return;
-    const auto& origin = positions.empty() ? fix : positions.front().fix;
-    positions.push_back({seconds, local_position(fix, origin), fix});
 }
 
 namespace
@@ -340,21 +347,64 @@ struct Heading
     double baseline = 0;  ///< metres that the movement goes
 };
 
+/** Boxes around each 256 positions in a row: while the robot is parked whole blocks are near. */
+class PositionBlocks
+{
+ public:
+    explicit PositionBlocks(const std::vector<Position>& positions) : count_(positions.size())
+    {
+        for (std::size_t i = 0; i < count_; ++i)
+        {
+            if (i % kBlock == 0) boxes_.emplace_back();
+            boxes_.back().extend(Eigen::Vector2d(positions[i].map_from_antenna.head<2>()));
+        }
+    }
+
+    /** True when all positions of the block are nearer than `radius`. */
+    bool is_within(std::size_t position, const Eigen::Vector2d& centre, double radius) const
+    {
+        const auto& box = boxes_[position / kBlock];
+        const Eigen::Vector2d furthest =
+            (centre - box.min()).cwiseAbs().cwiseMax((centre - box.max()).cwiseAbs());
+        return furthest.norm() < radius;
+    }
+
+    /** The last position before the block; 0 when there is none. */
+    std::size_t before(std::size_t position) const
+    {
+        const auto begin = position / kBlock * kBlock;
+        return begin > 0 ? begin - 1 : 0;
+    }
+
+    /** The first position after the block; the last one when there is none. */
+    std::size_t after(std::size_t position) const
+    {
+        return std::min((position / kBlock + 1) * kBlock, count_ - 1);
+    }
+
+ private:
+    static constexpr std::size_t kBlock = 256;
+
+    std::size_t count_;
+    std::vector<Eigen::AlignedBox2d> boxes_;
+};
+
 /** Direction of the movement about a position, where the positions around it are a baseline apart,
  *  or half of one at the ends of the drive. */
 std::optional<Heading> heading_at(const std::vector<Position>& positions,
+                                  const PositionBlocks& blocks,
                                   std::size_t index,
                                   double baseline)
 {
-    const auto away = [&](const Position& other)
-    {
-        const Eigen::Vector3d way = other.map_from_antenna - positions[index].map_from_antenna;
-        return way.head<2>().norm() >= baseline / 2;
-    };
+    const Eigen::Vector2d here = positions[index].map_from_antenna.head<2>();
+    const auto is_away = [&](std::size_t other)
+    { return (positions[other].map_from_antenna.head<2>() - here).norm() >= baseline / 2; };
     std::size_t before = index;
-    while (before > 0 && !away(positions[before])) --before;
+    while (before > 0 && !is_away(before))
+        before = blocks.is_within(before, here, baseline / 2) ? blocks.before(before) : before - 1;
     std::size_t after = index;
-    while (after + 1 < positions.size() && !away(positions[after])) ++after;
+    while (after + 1 < positions.size() && !is_away(after))
+        after = blocks.is_within(after, here, baseline / 2) ? blocks.after(after) : after + 1;
     const Eigen::Vector2d way =
         (positions[after].map_from_antenna - positions[before].map_from_antenna).head<2>();
     if (way.norm() < baseline / 2) return std::nullopt;
@@ -368,8 +418,9 @@ std::vector<std::optional<Heading>> headings_of(const std::vector<Position>& pos
 {
     std::vector<std::optional<Heading>> headings;
     headings.reserve(positions.size());
+    const PositionBlocks blocks(positions);
     for (std::size_t i = 0; i < positions.size(); ++i)
-        headings.push_back(heading_at(positions, i, baseline));
+        headings.push_back(heading_at(positions, blocks, i, baseline));
     for (std::size_t i = 1; i < headings.size(); ++i)
         if (!headings[i]) headings[i] = headings[i - 1];
     for (std::size_t i = headings.size(); i-- > 1;)
@@ -416,6 +467,42 @@ std::vector<Reading> readings_of_gps(const std::vector<Position>& positions,
     return readings;
 }
 
+/** What poses of frames are found in. */
+struct PoseSource
+{
+    std::vector<Reading> readings;
+    std::vector<ClockRun> runs;
+    std::vector<std::size_t> arrivals;  ///< of all fixes: how many readings there were before
+    std::size_t left_out = 0;  ///< fixes
+};
+
+/** Readings of the plausible fixes, positions from the first of them on. */
+PoseSource source_of_gps(const std::vector<TimedFix>& fixes,
+                         const std::vector<ClockRun>& runs,
+                         const TGraphOptions& options)
+{
+    const auto plausible = plausible_fixes(fixes, options);
+    PoseSource source;
+    std::vector<Position> positions;
+    for (std::size_t i = 0; i < fixes.size(); ++i)
+    {
+        source.arrivals.push_back(positions.size());
+        if (!plausible[i]) continue;
+        const auto& [seconds, fix] = fixes[i];
+        const auto origin = positions.empty() ? fix : positions.front().fix;
+        positions.push_back({seconds, local_position(fix, origin), fix});
+    }
+    source.arrivals.push_back(positions.size());
+    source.left_out = fixes.size() - positions.size();
+    for (const auto& run : runs)
+    {
+        const ClockRun kept{source.arrivals[run.begin], source.arrivals[run.end]};
+        if (kept.begin < kept.end) source.runs.push_back(kept);
+    }
+    source.readings = readings_of_gps(positions, options);
+    return source;
+}
+
 /** The frame's pose out of the run that has its time; of several, of the one fed nearest to it. */
 std::optional<UncertainPose> pose_at(const std::vector<Reading>& readings,
                                      const std::vector<ClockRun>& runs,
@@ -456,19 +543,21 @@ void TrajectoryBuilder::feed(const mrpt::obs::CObservation& observation)
     const bool is_fix = is_gps(observation);
     const auto reading = pose_reading_of(observation);
     if (!reading && !is_fix) return;
-    const auto name = describe(observation.GetRuntimeClass()->className, observation.sensorLabel);
+    const auto label = as_utf8(observation.sensorLabel);
+    const auto name = describe(observation.GetRuntimeClass()->className, label);
     if (is_fix != wants_gps)
     {
         state_->other_sources.insert(name);
         return;
     }
-    if (!state_->is_source(name, observation.sensorLabel)) return;
+    if (!state_->is_source(name, label)) return;
+    if (is_fix && !has_gga(observation)) ++state_->report.fixes_without_gga;
     const auto fix = is_fix ? gps_fix_of(observation) : std::nullopt;
     if (!has_time || (is_fix && !fix))
         ++state_->report.unusable_readings;
-    else if (fix)
-        state_->add_fix(seconds_of(observation), *fix);
-    else
+    else if (fix && state_->is_usable(seconds_of(observation)))
+        state_->fixes.push_back({seconds_of(observation), *fix});
+    else if (reading)
         state_->add_pose(seconds_of(observation), *reading);
 }
 
@@ -513,14 +602,18 @@ Trajectory TrajectoryBuilder::build() const
 {
     const bool is_gps = state_->options.motion_source == MotionSource::gps;
     const auto of_gps =
-        is_gps ? readings_of_gps(state_->positions, state_->options) : std::vector<Reading>();
-    const auto& readings = is_gps ? of_gps : state_->readings;
+        is_gps ? source_of_gps(state_->fixes, state_->runs, state_->options) : PoseSource();
+    const auto& readings = is_gps ? of_gps.readings : state_->readings;
+    const auto& runs = is_gps ? of_gps.runs : state_->runs;
     auto report = state_->report;
     report.other_sources.assign(state_->other_sources.begin(), state_->other_sources.end());
+    report.implausible_readings = of_gps.left_out;
+    report.readings -= of_gps.left_out;
     std::vector<Trajectory::Frame> frames;
-    for (const auto& frame : state_->frames)
+    for (auto frame : state_->frames)
     {
-        const auto pose = pose_at(readings, state_->runs, frame, state_->options.max_gap_s);
+        if (is_gps) frame.arrival = of_gps.arrivals[frame.arrival];
+        const auto pose = pose_at(readings, runs, frame, state_->options.max_gap_s);
         if (pose)
             frames.push_back({frame.id, frame.timestamp, *pose});
         else

@@ -7,6 +7,7 @@ void TIndexOptions::describe(OptionVisitor& visitor)
 {
     visitor.real("delay_seconds", delay_seconds, 0, 1e6);
     visitor.real("frame_rate", frame_rate, 0, 1e4);
+    visitor.real("still_seconds", still_seconds, 0, 1e6);
     visitor.integer("candidates", candidates, 1, 1000);
     visitor.real("min_similarity", min_similarity, -1, 1);
     visitor.integer("whiten_from", whiten_from, 0, 1000000);

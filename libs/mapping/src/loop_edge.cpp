@@ -34,6 +34,8 @@ std::string to_word(Withheld reason)
             return "degenerate";
         case Withheld::disagreement:
             return "disagreement";
+        case Withheld::stood_still:
+            return "stood_still";
         case Withheld::singular_covariance:
             return "singular_covariance";
         case Withheld::frame_without_pose:

@@ -8,6 +8,7 @@
 #include "fild/mapping/visual_odometry.h"
 
 #include <map>
+#include <set>
 #include <utility>
 
 namespace fild
@@ -51,6 +52,21 @@ void set_pose(LoopEdge& edge, const RelativePose& pose, const Place& candidate, 
     if (!pose.candidate_from_query) return;
     edge.motion = robot_motion(*pose.candidate_from_query, candidate.metric, query.metric);
     if (!edge.motion) edge.withheld = Withheld::singular_covariance;
+}
+
+/** While the robot stands still its loops tell the same again and again: the first counts. */
+void withhold_repetitions(std::vector<LoopEdge>& loops, const LoopDetector& detector)
+{
+    std::set<std::pair<FrameId, FrameId>> seen;
+    for (auto& loop : loops)
+    {
+        const auto stands_since = [&](FrameId frame)
+        { return detector.find_place(frame)->stands_since.value_or(frame); };
+        if (loop.withheld != Withheld::none) continue;
+        const bool is_new =
+            seen.emplace(stands_since(loop.query), stands_since(loop.candidate)).second;
+        if (!is_new) loop.withheld = Withheld::stood_still;
+    }
 }
 
 /** Sum of the squared errors of a graph's edges at its nodes' poses. A loop's information is
@@ -100,9 +116,13 @@ Map MapBuilder::build(const LoopDetector& detector, StageTimes& times, const GoO
 {
     go_on();
     auto map = map_on_trajectory(detector, times, go_on);
+    if (detector_options_.relative_pose.enabled &&
+        map.trajectory_source == TrajectorySource::recorded)
+        map.agreement = compare_motions(detector, map.trajectory, detector_options_, times, go_on);
     map.loops.reserve(loops_.size());
     for (const auto& loop : loops_) map.loops.push_back(edge_of(loop, detector));
     if (detector_options_.relative_pose.enabled) scale_by_motion(map, detector, times, go_on);
+    withhold_repetitions(map.loops, detector);
     go_on();
     const StageTimer timer(times, "graph");
     solve(map, go_on);
@@ -114,19 +134,22 @@ Map MapBuilder::map_on_trajectory(const LoopDetector& detector,
                                   const GoOn& go_on) const
 {
     std::vector<std::string> unused;
+    TrajectoryReport report;
     {
         const StageTimer timer(times, "trajectory");
         auto recorded = trajectory_.build();
-        unused = recorded.report().other_sources;
+        report = recorded.report();
+        unused = report.other_sources;
         if (!recorded.poses().empty())
-            return {std::move(recorded), TrajectorySource::recorded, std::move(unused)};
-        if (const auto& source = recorded.report().source; !source.empty())
-            unused.insert(unused.begin(), source);
+            return {std::move(recorded), TrajectorySource::recorded, std::move(unused), report};
+        if (!report.source.empty()) unused.insert(unused.begin(), report.source);
     }
-    const auto motions = visual_odometry(detector, end_, detector_options_, times, go_on);
+    const auto motions = visual_odometry(
+        detector, end_, detector_options_, graph_options_.max_speed_m_per_s, times, go_on);
     return {trajectory_from_motions(motions),
             motions.empty() ? TrajectorySource::none : TrajectorySource::vision,
-            std::move(unused)};
+            std::move(unused),
+            std::move(report)};
 }
 
 LoopEdge MapBuilder::edge_of(const Loop& loop, const LoopDetector& detector) const
@@ -198,7 +221,7 @@ void MapBuilder::solve(Map& map, const GoOn& go_on) const
     std::vector<LoopEdge*> edges;
     for (auto& loop : map.loops)
     {
-        if (!loop.motion) continue;
+        if (!loop.motion || loop.withheld != Withheld::none) continue;
         if (!map.trajectory.pose(loop.candidate) || !map.trajectory.pose(loop.query))
         {
             loop.withheld = Withheld::frame_without_pose;

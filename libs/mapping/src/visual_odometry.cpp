@@ -50,8 +50,12 @@ class FrameMotions
  public:
     FrameMotions(const LoopDetector& detector,
                  const std::vector<FrameId>& frames,
-                 const TDetectorOptions& options)
-        : detector_(detector), frames_(frames), poses_(without_doubt(options))
+                 const TDetectorOptions& options,
+                 double max_speed_m_per_s)
+        : detector_(detector),
+          frames_(frames),
+          poses_(without_doubt(options)),
+          max_speed_m_per_s_(max_speed_m_per_s)
     {
     }
 
@@ -71,17 +75,25 @@ class FrameMotions
         const auto pose = poses_.estimate(query, query.metric.depths, candidate, depths, times);
         if (!pose.candidate_from_query) return std::nullopt;
         auto motion = robot_motion(*pose.candidate_from_query, candidate.metric, query.metric);
-        if (!motion) return std::nullopt;
+        const double elapsed = query.timestamp - candidate.timestamp;
+        if (!motion || is_too_fast(motion->a_from_b.norm(), elapsed)) return std::nullopt;
         return MeasuredMotion{
             frames_[a], frames_[b], candidate.timestamp, query.timestamp, *motion};
     }
 
  private:
+    bool is_too_fast(double metres, double seconds) const
+    {
+        constexpr double kJitter = 1;  // m, where two time stamps are too close
+        return seconds > 0 && metres > max_speed_m_per_s_ * seconds + kJitter;
+    }
+
     const Place& place(std::size_t i) const { return *detector_.find_place(frames_[i]); }
 
     const LoopDetector& detector_;
     const std::vector<FrameId>& frames_;
     PairPoses poses_;
+    double max_speed_m_per_s_;
 };
 
 /** The frames' motions, one after the other. */
@@ -156,6 +168,7 @@ class Chain
 std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
                                             FrameId end,
                                             const TDetectorOptions& options,
+                                            double max_speed_m_per_s,
                                             StageTimes& times,
                                             const GoOn& go_on)
 {
@@ -164,7 +177,7 @@ std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
     if (!camera) return {};
     const auto frames = frames_of(*camera, detector, end);
     if (frames.empty()) return {};
-    const FrameMotions motions(detector, frames, options);
+    const FrameMotions motions(detector, frames, options, max_speed_m_per_s);
     std::vector<std::optional<MeasuredMotion>> to_next(frames.size() - 1);
     timed_parallel_for(options.runtime.num_threads,
                        to_next.size(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checked_image.h"
 
+#include "calibration_mismatch.h"
 #include "fild/rawlog/image_file.h"
 #include "image_store.h"
 
@@ -23,10 +24,6 @@ cv::Mat load_stored(const ImageFile& file)
                              " or leave it out");
 }
 
-std::string to_text(cv::Size size)
-{
-    return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
 }  // namespace
 
 std::string described(const ImageFile& file)
@@ -37,10 +34,11 @@ std::string described(const ImageFile& file)
 
 cv::Mat load_checked(const ImageFile& file)
 {
-    const auto image = as_grey_or_bgr(load_stored(file));
+    const auto stored = load_stored(file);
+    const auto image = as_grey_or_bgr(stored);
     if (!image)
-        throw std::runtime_error(described(file) +
-                                 " has neither 8-bit grey nor 8-bit colour pixels; convert it");
+        throw std::runtime_error(described(file) + " has pixels of " + describe_pixels(stored) +
+                                 ", not grey or colour of 8 or 16 bit; convert it");
     return *image;
 }
 

@@ -13,8 +13,9 @@ namespace fild
 /** How an error names a file: its path, and where the path was read if that was in a list. */
 std::string described(const ImageFile& file);
 
-/** The 8-bit pixels of a file, grey or BGR. \throw std::runtime_error naming the file when it is
- *  absent, cannot be read to its end, or has other pixels. */
+/** The pixels of a file in 8 bits, grey or BGR, as as_grey_or_bgr() makes them.
+ *  \throw std::runtime_error naming the file when it is absent, cannot be read to its end, or has
+ *  other pixels. */
 cv::Mat load_checked(const ImageFile& file);
 
 /** The 16-bit numbers of a depth file. \throw std::runtime_error as load_checked. */

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/rawlog/frame_builder.h"
 
+#include "calibration_mismatch.h"
 #include "camera_labels.h"
+#include "fild/core/utf8.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "image_store.h"
 #include "metric_content.h"
@@ -11,8 +13,11 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationStereoImages.h>
+#include <opencv2/core.hpp>
 
+#include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 namespace fild
 {
@@ -46,9 +51,10 @@ std::optional<CameraModel> parse_override(const std::string& words)
     return parse_camera_model(words, "camera_parameters");
 }
 
-std::string to_text(cv::Size size)
+bool are_same_pixels(const cv::Mat& a, const cv::Mat& b)
 {
-    return std::to_string(size.width) + "x" + std::to_string(size.height);
+    return !a.empty() && a.type() == b.type() && a.size() == b.size() &&
+           cv::norm(a, b, cv::NORM_INF) == 0;
 }
 
 const TInputOptions& checked(const TInputOptions& options)
@@ -72,6 +78,8 @@ struct FrameBuilder::State
             metric.emplace(store, options.undistort, override_camera);
     }
 
+    struct Camera;
+
     /** Counts the frame; its stamp is remembered for the next one. */
     Frame begin(const CObservation& observation);
     /** Whether the frame has another size than its camera's first image: it must be changed. */
@@ -80,6 +88,8 @@ struct FrameBuilder::State
     /** Notes a missing image. \throw std::runtime_error where that ends the run. */
     void note_missing(const std::string& path, const Frame& frame);
     void calibrate(const CameraView& view, Frame& frame);
+    /** The camera's calibration, unless it is for another size than that of the frame's image. */
+    std::optional<CameraModel> fitting_camera(const CameraView& view, const Frame& frame);
 
     TInputOptions options;
     CameraLabels labels;
@@ -92,27 +102,32 @@ struct FrameBuilder::State
         Undistorter undistorter;
         std::optional<cv::Size> image_size;
         std::optional<double> previous_stamp;
+        bool is_stamp_repeated = false;  ///< of the frame that is being built
+        cv::Mat previous_image;  ///< as stored
     };
     std::map<std::string, Camera> cameras;  ///< by sensor label
     std::uint64_t count = 0;
     std::size_t scaled = 0;
     std::string first_missing;
+    std::string first_unsupported;
+    std::map<std::string, std::string> calibration_notes;  ///< by sensor label
 };
 
 Frame FrameBuilder::State::begin(const CObservation& observation)
 {
     Frame frame;
     frame.id = FrameId{count++};
-    frame.sensor_label = observation.sensorLabel;
-    auto& previous_stamp = cameras[frame.sensor_label].previous_stamp;
+    frame.sensor_label = as_utf8(observation.sensorLabel);
+    auto& camera = cameras[frame.sensor_label];
+    camera.is_stamp_repeated = false;
     if (observation.timestamp == INVALID_TIMESTAMP)
     {
-        frame.timestamp = previous_stamp.value_or(0);
+        frame.timestamp = camera.previous_stamp.value_or(0);
         return frame;
     }
     frame.timestamp = mrpt::Clock::toDouble(observation.timestamp);
-    if (frame.timestamp == previous_stamp) frame.defect = Rejection::repeated_timestamp;
-    previous_stamp = frame.timestamp;
+    camera.is_stamp_repeated = frame.timestamp == camera.previous_stamp;
+    camera.previous_stamp = frame.timestamp;
     return frame;
 }
 
@@ -123,6 +138,8 @@ bool FrameBuilder::State::has_other_size(const Frame& frame) const
 
 void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
 {
+    auto& camera = cameras[frame.sensor_label];
+    const auto previous = std::exchange(camera.previous_image, {});
     const auto stored = store.load(view.image);
     if (!stored)
     {
@@ -130,10 +147,18 @@ void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
         note_missing(store.path_of(view.image), frame);
         return;
     }
-    const auto& first_size = cameras[frame.sensor_label].image_size;
+    camera.previous_image = *stored;
+    const auto& first_size = camera.image_size;
     const auto image = as_grey_or_bgr(*stored);
-    if (!image)
+    if (camera.is_stamp_repeated && are_same_pixels(*stored, previous))
+        frame.defect = Rejection::repeated_timestamp;
+    else if (!image)
+    {
         frame.defect = Rejection::unsupported_image;
+        if (first_unsupported.empty())
+            first_unsupported =
+                "frame " + std::to_string(to_index(frame.id)) + ": " + describe_pixels(*stored);
+    }
     else if (first_size && image->size() != *first_size && !size_change(image->size(), *first_size))
         frame.defect = Rejection::image_size_changed;
     else
@@ -142,7 +167,8 @@ void FrameBuilder::State::load_image(const CameraView& view, Frame& frame)
 
 void FrameBuilder::State::note_missing(const std::string& path, const Frame& frame)
 {
-    if (first_missing.empty()) first_missing = path;
+    const bool is_there = !path.empty() && std::filesystem::exists(path);
+    if (first_missing.empty()) first_missing = path + (is_there ? ", which cannot be read" : "");
     if (options.on_missing_image == OnMissingImage::skip) return;
     const auto what = path.empty() ? "the image embedded in the rawlog is empty"
                                    : "there is no readable image " + path;
@@ -151,18 +177,26 @@ void FrameBuilder::State::note_missing(const std::string& path, const Frame& fra
                              "on_missing_image=skip to go on without");
 }
 
+std::optional<CameraModel> FrameBuilder::State::fitting_camera(const CameraView& view,
+                                                               const Frame& frame)
+{
+    const auto camera = override_camera ? override_camera : camera_model_from(view.camera);
+    if (!camera) return std::nullopt;
+    const auto size = frame.image.size();
+    const auto& first_size = *cameras.at(frame.sensor_label).image_size;
+    auto fitting = camera_for(*camera, size, first_size);
+    if (!fitting && !has_other_size(frame))
+        calibration_notes.emplace(frame.sensor_label,
+                                  "the calibration of camera '" + frame.sensor_label + "' is for " +
+                                      to_text({camera->width, camera->height}) +
+                                      " pixels, its images have " + to_text(size) +
+                                      ": it is not used; " + mending_advice(*camera, size));
+    return fitting;
+}
+
 void FrameBuilder::State::calibrate(const CameraView& view, Frame& frame)
 {
-    frame.camera = override_camera ? override_camera : camera_model_from(view.camera);
-    if (!frame.camera) return;
-    const auto& first_size = *cameras.at(frame.sensor_label).image_size;
-    const auto fitting = camera_for(*frame.camera, frame.image.size(), first_size);
-    if (!fitting && !has_other_size(frame))
-        throw std::runtime_error("the calibration of camera '" + frame.sensor_label + "' is for " +
-                                 to_text({frame.camera->width, frame.camera->height}) +
-                                 " pixels, its images have " + to_text(frame.image.size()) +
-                                 "; set [input] camera_parameters for that size");
-    frame.camera = fitting;
+    frame.camera = fitting_camera(view, frame);
     if (!frame.camera) return;
     if (has_distortion(*frame.camera))
     {
@@ -185,8 +219,9 @@ FrameBuilder::~FrameBuilder() = default;
 
 bool FrameBuilder::accepts(const CObservation& observation)
 {
-    if (camera_view_of(observation)) return state_->labels.accepts_camera(observation.sensorLabel);
-    state_->labels.note_other(observation.sensorLabel);
+    const auto label = as_utf8(observation.sensorLabel);
+    if (camera_view_of(observation)) return state_->labels.accepts_camera(label);
+    state_->labels.note_other(label);
     return false;
 }
 
@@ -197,7 +232,7 @@ Frame FrameBuilder::build(const CObservation& observation)
         throw std::invalid_argument("FrameBuilder::build: observation '" + observation.sensorLabel +
                                     "' has no camera image");
     auto frame = state_->begin(observation);
-    if (frame.defect == Rejection::none) state_->load_image(*view, frame);
+    state_->load_image(*view, frame);
     if (frame.defect != Rejection::none) return frame;
     auto& first_size = state_->cameras[frame.sensor_label].image_size;
     if (!first_size) first_size = frame.image.size();
@@ -218,9 +253,11 @@ Frame FrameBuilder::build(const CObservation& observation)
 Frame FrameBuilder::skip(const CObservation& observation)
 {
     auto frame = state_->begin(observation);
-    auto& first_size = state_->cameras[frame.sensor_label].image_size;
+    auto& camera = state_->cameras[frame.sensor_label];
+    camera.previous_image.release();
+    auto& first_size = camera.image_size;
     const auto view = camera_view_of(observation);
-    if (first_size || frame.defect != Rejection::none || !view) return frame;
+    if (first_size || !view) return frame;
     const auto stored = state_->store.load(view->image);
     if (const auto image = stored ? as_grey_or_bgr(*stored) : std::nullopt)
         first_size = image->size();
@@ -240,6 +277,20 @@ std::size_t FrameBuilder::scaled_frames() const
 std::string FrameBuilder::first_missing_image() const
 {
     return state_->first_missing;
+}
+
+std::string FrameBuilder::first_unsupported_image() const
+{
+    return state_->first_unsupported;
+}
+
+std::vector<std::string> FrameBuilder::calibration_notes() const
+{
+    std::vector<std::string> notes;
+    for (const auto& [label, note] : state_->calibration_notes) notes.push_back(note);
+    if (!state_->metric) return notes;
+    for (const auto& [label, note] : state_->metric->calibration_notes()) notes.push_back(note);
+    return notes;
 }
 
 std::vector<std::string> FrameBuilder::ignored_camera_labels() const

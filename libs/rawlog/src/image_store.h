@@ -26,7 +26,9 @@ class ImageStore
     /** Path of an externally stored image; empty for an embedded one. */
     std::string path_of(const mrpt::img::CImage& image) const;
 
-    /** Path of a file that stands in the rawlog by this name. */
+    /** Path of a file that stands in the rawlog by this name. Where there is no such file: the
+     *  first that exists of the same name with its ending in small or capital letters, and, for a
+     *  path on another computer, of its last parts in the folder of images. */
     std::string path_of_file(const std::string& name) const;
 
     /** The pixels as stored, shared with `image` when embedded. Nothing when there are none. */
@@ -36,7 +38,12 @@ class ImageStore
     std::string images_dir_;
 };
 
-/** 8-bit grey as it is, 8-bit colour without alpha; nothing for all other kinds of pixels. */
+/** 8-bit grey as it is, 8-bit colour without alpha. 16 bits become 8: all but the darkest and the
+ *  brightest thousandth of the numbers are spread over 0 to 255, but never wider than they are.
+ *  Nothing for all other kinds of pixels. */
 std::optional<cv::Mat> as_grey_or_bgr(const cv::Mat& image);
+
+/** "32 bit floating point, 1 channel" */
+std::string describe_pixels(const cv::Mat& image);
 
 }  // namespace fild

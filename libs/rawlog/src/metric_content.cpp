@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "metric_content.h"
 
+#include "calibration_mismatch.h"
 #include "depth_registration.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "fild/rawlog/pose_conversion.h"
@@ -105,22 +106,34 @@ std::string MetricContent::add_right(Frame& frame,
     if (frame.depth_defect != DepthDefect::none)
         return stored || !stereo.hasImageRight ? "" : store_.path_of(stereo.imageRight);
     const bool is_scaled = frame.image.size() != first_size;
-    camera = camera_for(*camera, image->size(), is_scaled ? first_size : image->size());
-    if (!camera && is_scaled)
+    const auto fitting = camera_for(*camera, image->size(), is_scaled ? first_size : image->size());
+    if (!fitting)
     {
         frame.depth_defect = DepthDefect::not_calibrated;
+        if (!is_scaled) note_right_calibration(frame, *camera, image->size());
         return "";
     }
-    if (!camera)
-        throw std::runtime_error("the calibration of the right camera of '" + frame.sensor_label +
-                                 "' is for another image size than its images have; set [input] "
-                                 "camera_parameters for that size");
+    camera = fitting;
     right.image = has_distortion(*camera)
                       ? undistorters_[frame.sensor_label].undistort(*image, *camera)
                       : *image;
     right.camera = without_distortion(*camera);
     frame.right = std::move(right);
     return "";
+}
+
+void MetricContent::note_right_calibration(const Frame& frame,
+                                           const CameraModel& camera,
+                                           cv::Size images)
+{
+    // [input] camera_parameters is for both cameras of a pair.
+    const bool are_equal = images == frame.image.size();
+    calibration_notes_.emplace(
+        frame.sensor_label,
+        "the calibration of the right camera of '" + frame.sensor_label + "' is for " +
+            to_text({camera.width, camera.height}) + " pixels, its images have " + to_text(images) +
+            ": its pairs give no depth; " +
+            (are_equal ? mending_advice(camera, images) : "calibrate it for that size"));
 }
 
 std::string MetricContent::add_depth(Frame& frame,

@@ -34,11 +34,17 @@ class MetricContent
      *  other sizes with the same aspect ratio.
      *  \return path of a right or depth image that is stored outside the rawlog and cannot be
      *  read; empty when there is none such.
-     *  \throw std::runtime_error when the right camera is calibrated for another image size,
-     *  unless the frame has not `first_size`: not_calibrated. */
+     *  A right camera that is calibrated for another image size is not_calibrated, and noted unless
+     *  the frame is scaled. */
     std::string add_to(Frame& frame,
                        const mrpt::obs::CObservation& observation,
                        cv::Size first_size);
+
+    /** For the user, by sensor label: right cameras that are calibrated for another image size. */
+    const std::map<std::string, std::string>& calibration_notes() const
+    {
+        return calibration_notes_;
+    }
 
  private:
     std::string add_right(Frame& frame,
@@ -52,10 +58,13 @@ class MetricContent
                            const cv::Mat& ranges,
                            cv::Size first_size);
 
+    void note_right_calibration(const Frame& frame, const CameraModel& camera, cv::Size images);
+
     const ImageStore& store_;
     bool undistort_;
     std::optional<CameraModel> override_camera_;
     std::map<std::string, Undistorter> undistorters_;  ///< of right or depth images, by label
+    std::map<std::string, std::string> calibration_notes_;
 };
 
 }  // namespace fild

@@ -155,7 +155,7 @@ RecordedPath read_recorded_path(const std::string& rawlog_path, const std::strin
     if (paths.empty())
         throw std::runtime_error(rawlog_path +
                                  " holds neither CObservationRobotPose nor CObservationGPS with a "
-                                 "fix");
+                                 "fix in a GGA message");
     const auto all = list_of(paths);
     const auto is_other = [&](const RecordedPath& path)
     { return !sensor_label.empty() && path.sensor_label != sensor_label; };

@@ -42,7 +42,8 @@ Json frames_json(const RunSummary& summary)
             {"mean_keypoints", rounded(summary.mean_keypoints)},
             {"match_pictures", summary.match_pictures},
             {"frames_per_similarity_row", summary.frames_per_similarity_row},
-            {"ignored_camera_labels", summary.ignored_camera_labels}};
+            {"ignored_camera_labels", summary.ignored_camera_labels},
+            {"notes", summary.frame_notes}};
 }
 
 Json counts_json(const std::map<std::string, std::size_t>& counts)
@@ -63,6 +64,7 @@ Json map_json(const MapSummary& map)
             {"clock_jumps", map.clock_jumps},
             {"late_readings", map.late_readings},
             {"unusable_readings", map.unusable_readings},
+            {"implausible_readings", map.implausible_readings},
             {"depth_sources", counts_json(map.depth_sources)},
             {"depth_defects", counts_json(map.depth_defects)},
             {"nodes", map.nodes},
@@ -124,12 +126,8 @@ void RunSummary::add(const FrameVerdict& verdict)
 std::size_t RunSummary::usable_frames() const
 {
     std::size_t usable = camera_frames;
-    for (const auto defect : {Rejection::missing_image,
-                              Rejection::image_size_changed,
-                              Rejection::repeated_timestamp,
-                              Rejection::unsupported_image})
-        if (const auto count = frames_by_rejection.find(defect); count != frames_by_rejection.end())
-            usable -= count->second;
+    for (const auto& [rejection, count] : frames_by_rejection)
+        if (is_unusable(rejection)) usable -= count;
     return usable;
 }
 

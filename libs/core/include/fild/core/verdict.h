@@ -29,8 +29,8 @@ enum class Rejection
     none,  ///< accepted: a loop closure
     missing_image,  ///< the externally stored image is not there, or is no image
     image_size_changed,  ///< cannot be scaled to this camera's first image
-    repeated_timestamp,  ///< the same time stamp as the camera frame before
-    unsupported_image,  ///< neither 8 bit grey nor 8 bit colour
+    repeated_timestamp,  ///< recorded twice: time stamp and image of the camera frame before
+    unsupported_image,  ///< neither grey nor colour of 8 or 16 bit
     too_early,  ///< the index is still empty: nothing is older than the delay (psi)
     no_candidate,  ///< the index had no answer
     below_similarity,  ///< no candidate is similar enough
@@ -48,6 +48,9 @@ std::string to_word(Rejection rejection);
 
 /** A phrase for a user: why such a frame is not a loop closure, or what a loop closure is. */
 std::string meaning_of(Rejection rejection);
+
+/** True for a frame that the detector could not look at: its image or time stamp is no good. */
+bool is_unusable(Rejection rejection);
 
 /** All rejections in order of declaration, `none` first: for counting and for documentation. */
 const std::vector<Rejection>& all_rejections();

@@ -10,6 +10,7 @@
 #include "fild/detector/place.h"
 #include "fild/detector/place_belief.h"
 #include "fild/detector/recording_clock.h"
+#include "fild/detector/standstill.h"
 #include "fild/detector/temporal_consistency.h"
 #include "fild/geometry/relative_pose.h"
 #include "fild/index/delay_queue.h"
@@ -45,7 +46,9 @@ struct DetectorOutcome
  *  shows the same place, or says why there is none.
  *
  *  Takes frames in increasing id. Time stamps may be wrong or missing (0), and the clock may be set
- *  on the way: the delay goes on as RecordingClock says. Deterministic: the same descriptions and
+ *  on the way: the delay goes on as RecordingClock says. A frame of a camera that stands still is
+ *  no candidate later, and the delay waits until it moves: TIndexOptions::still_seconds.
+ *  Deterministic: the same descriptions and
  *  options give the same verdicts. Not thread-safe: one caller at a time. */
 class LoopDetector
 {
@@ -86,7 +89,8 @@ class LoopDetector
     void check_consistency(DetectorOutcome& outcome);
     void ask_belief(DetectorOutcome& outcome);
     void add_pose(DetectorOutcome& outcome, const FrameDescription& query, StageTimes& times) const;
-    void remember(FrameDescription description);
+    std::optional<FrameId> enqueue(const FrameDescription& description, StageTimes& times);
+    void remember(FrameDescription description, std::optional<FrameId> stands_since);
 
     std::size_t global_dimension_;
     TIndexOptions index_options_;
@@ -105,6 +109,7 @@ class LoopDetector
     std::unordered_map<FrameId, Place> places_;
     std::size_t map_bytes_ = 0;
     RecordingClock clock_;
+    Standstill standstill_;
     std::optional<FrameId> last_frame_;
     std::optional<FrameId> last_released_;  ///< by the delay queue
 };

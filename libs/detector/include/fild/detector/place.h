@@ -5,6 +5,7 @@
 #include "fild/core/descriptors.h"
 #include "fild/core/frame.h"
 #include "fild/core/rigid_transform.h"
+#include "fild/core/verdict.h"
 #include "fild/geometry/keypoint_depths.h"
 
 #include <optional>
@@ -29,6 +30,7 @@ struct Place
     std::string sensor_label;
     HashedFeatures local;
     MetricView metric;
+    std::optional<FrameId> stands_since{};  ///< the camera shows what it did at that frame
 };
 
 }  // namespace fild

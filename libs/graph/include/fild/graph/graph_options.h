@@ -59,7 +59,8 @@ struct TGraphOptions : Options
     double planar_attitude_deg = 0.5;
     /** Longest time without a reading over which poses are interpolated, seconds. */
     double max_gap_s = 2;
-    /** Two readings further apart than this speed allows are a reset of the odometry. */
+    /** Two readings further apart than this speed allows are a reset of the odometry, GPS fixes
+     *  that are so are left out, and so are motions that the images tell. */
     double max_speed_m_per_s = 60;
     /** GPS: standard deviation of a horizontal position at HDOP 1, metres. */
     double gps_sigma_m = 2;

@@ -39,6 +39,8 @@ struct TrajectoryReport
     std::vector<std::string> other_sources;  ///< could have served too, not used; sorted
     std::size_t readings = 0;  ///< used
     std::size_t unusable_readings = 0;  ///< with no finite pose, no time stamp, or no GPS fix
+    std::size_t fixes_without_gga = 0;  ///< of a GPS, among the unusable ones: other messages
+    std::size_t implausible_readings = 0;  ///< GPS fixes that only a robot too fast can reach
     std::size_t late_readings =
         0;  ///< up to a second older than the one before, or as old: left out
     std::size_t clock_jumps = 0;  ///< the readings' clock went back by more than a second

@@ -36,8 +36,9 @@ namespace fild
  *    robot made in the same time before.
  *  * A clock that jumps back: the motion goes on; frames find their readings by time and, where a
  *    time comes twice, by the order in which all was fed.
- *  * An odometry that is reset, or jumps further than a robot can move, begins a new segment at
- *    the last pose.
+ *  * An odometry that is reset, or jumps further than a robot can move
+ *    (TGraphOptions::max_speed_m_per_s), begins a new segment at the last pose; so do actions that
+ *    lead further. GPS fixes that are too far from the others are left out.
  *
  *  Memory grows with the number of readings. Deterministic. Not thread-safe: one caller at a time.
  */

@@ -20,6 +20,10 @@ struct TIndexOptions : Options
     /** phi, frames a second: when positive the delay is psi x phi frames, as the paper counts it,
      *  whatever the time stamps say. 0: the delay is measured by time stamps. */
     double frame_rate = 0;
+    /** A camera that has shown the same view for so long, seconds, stands still: its frames are no
+     *  candidates, and the delay waits until it moves. Else a robot that stops for longer than the
+     *  delay returns to itself at every frame. 0: it is not looked at, as in the paper. */
+    double still_seconds = 0;
     /** n: how many nearest neighbours are verified. */
     int candidates = 1;
     /** Neighbours less similar than this are not verified; cosine. The paper has no such bound. */

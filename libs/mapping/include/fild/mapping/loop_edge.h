@@ -25,6 +25,7 @@ enum class Withheld
     no_model,  ///< RANSAC found no pose
     degenerate,  ///< the points do not fix all six degrees of freedom well enough
     disagreement,  ///< too small a share of the verified matches agrees with the pose
+    stood_still,  ///< the robot has not moved since a loop with the same place
     singular_covariance,  ///< of the pose between the robots: it would have no information
     frame_without_pose  ///< the input trajectory has no pose for one of the frames
 };

@@ -8,6 +8,7 @@
 #include "fild/graph/loop_selection.h"
 #include "fild/graph/trajectory_builder.h"
 #include "fild/mapping/loop_edge.h"
+#include "fild/mapping/motion_agreement.h"
 #include "fild/mapping/pair_poses.h"
 
 #include <set>
@@ -33,6 +34,8 @@ struct Map
     Trajectory trajectory;  ///< as it was before the loops
     TrajectorySource trajectory_source = TrajectorySource::none;
     std::vector<std::string> unused_sources{};  ///< of motion, that the recording has too
+    TrajectoryReport recorded{};  ///< of the recording's motion, used or not
+    MotionAgreement agreement{};  ///< of the images with the recorded motion, where that is used
     /** Nodes at their optimised poses, loops with a weight of more than 0; see solved_graph(). */
     PoseGraph graph{};
     std::vector<std::vector<FrameId>> parts{};  ///< of the graph, see connected_parts()
@@ -69,7 +72,8 @@ class MapBuilder
      *  \param detector  that gave the outcomes, with the same options.
      *  \param go_on  called again and again, by several threads at a time; what it throws ends the
      *         work and is thrown on.
-     *  \param times receives "trajectory", "visual_odometry", "motion_depth", "graph", and the
+     *  \param times receives "trajectory", "visual_odometry", "motion_agreement", "motion_depth", "graph",
+     *         and the
      *         stages of the pairs of frames that were looked at. */
     Map build(
         const LoopDetector& detector, StageTimes& times, const GoOn& go_on = [] {}) const;

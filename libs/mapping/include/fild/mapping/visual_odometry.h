@@ -19,6 +19,8 @@ namespace fild
  *  when a later one does; else the chain is broken there, which trajectory_from_motions() makes a
  *  new segment of. Deterministic, with any number of threads.
  *  \param end  the first frame that is not looked at.
+ *  \param max_speed_m_per_s  a motion that is faster by the time stamps, and longer than a metre,
+ *         is taken for wrong.
  *  \param go_on  as MapBuilder::build().
  *  \param times receives "visual_odometry", and within it "matching", "verification",
  *         "relative_pose" and "motion_depth".
@@ -26,6 +28,7 @@ namespace fild
 std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
                                             FrameId end,
                                             const TDetectorOptions& options,
+                                            double max_speed_m_per_s,
                                             StageTimes& times,
                                             const GoOn& go_on);
 

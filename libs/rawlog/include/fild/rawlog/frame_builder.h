@@ -54,16 +54,18 @@ class FrameBuilder
 
     /** The frame of an accepted observation. One that cannot be used has Frame::defect:
      *  missing_image, unsupported_image, image_size_changed (it cannot be brought to the size of
-     *  this camera's first image) or repeated_timestamp (of this camera's observation before; its
-     *  image is not read). An observation without a time stamp takes that of this camera's frame
-     *  before; 0 when there is none.
+     *  this camera's first image) or repeated_timestamp (it has time stamp and pixels of this
+     *  camera's observation before: recorded twice). An observation without a time stamp takes that of this camera's frame
+     *  before; 0 when there is none. Images of 16 bits are reduced to 8. A label that is not UTF-8
+     *  is taken for Latin-1.
      *  An embedded image that needs no undistortion is shared with the observation, not copied.
      *
      *  All frames of a camera have the size of its first image. One of another size, as a second
      *  session with another camera mode has, is scaled to it. Where the aspect ratios differ by
      *  more than 3 %, the larger of the two scale factors is used and the overhang cut off equally
      *  on both sides. Camera, right image and depth follow. Its calibration must be for its own
-     *  size, or, when the aspect ratios agree, for the first one's; any other is left out.
+     *  size, or, when the aspect ratios agree, for the first one's; any other is left out, see
+     *  calibration_notes().
      *  image_size_changed: the aspect ratios differ by a factor of more than 1.5, or the sizes by
      *  more than 8.
      *
@@ -75,12 +77,12 @@ class FrameBuilder
      *  none the worse.
      *  \throw std::invalid_argument when the observation has no camera image.
      *  \throw std::runtime_error when an image is missing and on_missing_image is `stop` (with
-     *         FrameContent::metric, a right or depth image stored outside the rawlog too), or when
-     *         the calibration of an image that is not scaled is for another size. */
+     *         FrameContent::metric, a right or depth image stored outside the rawlog too). */
     Frame build(const mrpt::obs::CObservation& observation);
 
     /** Counts an accepted observation as a frame. Reads its image only while the size of this
-     *  camera's first image is not known: frames that are built later are scaled to it.
+     *  camera's first image is not known: frames that are built later are scaled to it. So it
+     *  cannot see repeated_timestamp.
      *  \return the frame without its image. */
     Frame skip(const mrpt::obs::CObservation& observation);
 
@@ -91,8 +93,17 @@ class FrameBuilder
     std::size_t scaled_frames() const;
 
     /** Path of the first externally stored image (with FrameContent::metric, or right or depth
-     *  image) that could not be read; empty: none was missing. */
+     *  image) that could not be read, and ", which cannot be read" where the file exists; empty:
+     *  none was missing. */
     std::string first_missing_image() const;
+
+    /** "frame 7: 32 bit floating point, 1 channel", the first image whose pixels cannot be used;
+     *  empty: there was none. */
+    std::string first_unsupported_image() const;
+
+    /** For the user, of each camera whose calibration is for another size than its images have: the
+     *  two sizes, and what to do. */
+    std::vector<std::string> calibration_notes() const;
 
     /** Labels of cameras that were seen and not wanted, sorted: for a warning. */
     std::vector<std::string> ignored_camera_labels() const;

@@ -25,6 +25,7 @@ struct MapSummary
     std::size_t clock_jumps = 0;  ///< of the readings
     std::size_t late_readings = 0;  ///< left out: up to a second older than the one before
     std::size_t unusable_readings = 0;
+    std::size_t implausible_readings = 0;  ///< GPS fixes that only a robot too fast can reach
     /** Frames by where the depths of their keypoints come from, and by why there are none. */
     std::map<std::string, std::size_t> depth_sources;
     std::map<std::string, std::size_t> depth_defects;
@@ -60,6 +61,7 @@ struct RunSummary
     std::size_t clock_jumps = 0;  ///< of the cameras' time stamps: RecordingClock::jumps()
     std::size_t scaled_frames = 0;  ///< to the size of their camera's first image
     std::vector<std::string> ignored_camera_labels;
+    std::vector<std::string> frame_notes;  ///< what the user should know of the frames
     double mean_keypoints = 0;
     std::size_t match_pictures = 0;  ///< of loop closures and of rejected pairs
     /** One row of similarity.png is so many frames after the row above; 0: there is none. */

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frame_notes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fild
+{
+namespace
+{
+/** "59 repeated_timestamp, 1 missing_image", of those that were passed over. */
+std::string unusable_by_reason(const RunSummary& summary)
+{
+    std::string text;
+    for (const auto& [rejection, count] : summary.frames_by_rejection)
+        if (is_unusable(rejection))
+            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + to_word(rejection);
+    return text;
+}
+
+std::size_t count_of(const RunSummary& summary, Rejection rejection)
+{
+    const auto found = summary.frames_by_rejection.find(rejection);
+    return found == summary.frames_by_rejection.end() ? 0 : found->second;
+}
+
+/** Seconds from the earliest to the latest time stamp. */
+double recorded_seconds(const std::vector<FrameVerdict>& verdicts)
+{
+    const auto [first, last] = std::minmax_element(verdicts.begin(),
+                                                   verdicts.end(),
+                                                   [](const FrameVerdict& a, const FrameVerdict& b)
+                                                   { return a.timestamp < b.timestamp; });
+    return last->timestamp - first->timestamp;
+}
+
+std::string whole(double number)
+{
+    return std::to_string(std::llround(number));
+}
+
+/** Why all frames are too_early, and what helps. */
+std::string why_all_are_early(const std::vector<FrameVerdict>& verdicts, const TIndexOptions& delay)
+{
+    const std::string none = "no frame could be compared with an earlier one: ";
+    if (delay.frame_rate > 0)
+        return none + "there are not more than [index] delay_seconds x frame_rate = " +
+               whole(delay.delay_seconds * delay.frame_rate) + " frames";
+    const double seconds = recorded_seconds(verdicts);
+    const std::string by_frames =
+        "set [index] frame_rate, and the delay is counted in frames, whatever the time stamps say";
+    if (seconds == 0) return none + "their time stamps are missing or all the same; " + by_frames;
+    if (seconds > delay.delay_seconds) return none + "their time stamps jump; " + by_frames;
+    return none + "their time stamps span " + whole(seconds) +
+           " s, and candidates are at least [index] delay_seconds = " + whole(delay.delay_seconds) +
+           " s old; set it to less, or, where the time stamps are "
+           "wrong, set [index] frame_rate";
+}
+}  // namespace
+
+std::vector<std::string> notes_on_frames(const Gathered& gathered,
+                                         const FrameBuilder& frames,
+                                         const TIndexOptions& delay)
+{
+    const auto& summary = gathered.summary;
+    std::vector<std::string> notes;
+    for (const auto& label : summary.ignored_camera_labels)
+        notes.push_back("camera " + label +
+                        " was not looked at; [input] sensor_label chooses cameras");
+    if (const auto missing = count_of(summary, Rejection::missing_image); missing > 0)
+        notes.push_back(std::to_string(missing) +
+                        " images are missing or cannot be read, the first is " +
+                        frames.first_missing_image() + "; [input] images_dir names their folder");
+    if (summary.scaled_frames > 0)
+        notes.push_back(std::to_string(summary.scaled_frames) +
+                        " images were scaled to the size of their camera's first image");
+    for (const auto& note : frames.calibration_notes()) notes.push_back(note);
+    const auto usable = summary.usable_frames();
+    if (usable > 1 && 2 * usable < summary.camera_frames)
+        notes.push_back("only " + std::to_string(usable) + " of " +
+                        std::to_string(summary.camera_frames) +
+                        " frames could be used: " + unusable_by_reason(summary));
+    if (usable > 1 && count_of(summary, Rejection::too_early) == usable)
+        notes.push_back(why_all_are_early(gathered.verdicts, delay));
+    return notes;
+}
+
+std::string too_few_usable_frames(const RunSummary& summary, const FrameBuilder& frames)
+{
+    const auto usable = summary.usable_frames();
+    if (usable > 1 || usable == summary.camera_frames) return "";
+    auto reason = usable == 0 ? std::string("no frame could be used")
+                              : "only one frame of " + std::to_string(summary.camera_frames) +
+                                    " could be used";
+    reason += " (" + unusable_by_reason(summary) + ")";
+    if (const auto pixels = frames.first_unsupported_image(); !pixels.empty())
+        reason += "; pixels must be grey or colour of 8 or 16 bit, not as in " + pixels;
+    if (const auto missing = frames.first_missing_image(); !missing.empty())
+        reason += "; the first image that is missing is " + missing +
+                  "; set [input] images_dir to the folder of the images";
+    return reason;
+}
+
+}  // namespace fild

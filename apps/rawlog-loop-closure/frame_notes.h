@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fild/index/index_options.h"
+#include "fild/stream/loop_closure_stream.h"
+#include "gathered.h"
+
+#include <string>
+#include <vector>
+
+namespace fild
+{
+/** For the user: frames that were passed over or changed, cameras that were not looked at or whose
+ *  calibration does not fit, and why no frame could be a candidate. */
+std::vector<std::string> notes_on_frames(const Gathered& gathered,
+                                         const FrameBuilder& frames,
+                                         const TIndexOptions& delay);
+
+/** Why a run cannot find a loop: of several frames it could use one, or none. Empty: it could use
+ *  more. */
+std::string too_few_usable_frames(const RunSummary& summary, const FrameBuilder& frames);
+
+}  // namespace fild
