@@ -36,7 +36,13 @@ esac
   miss "OUTPUT_FOLDER must not hold the images, $input: they would be replaced"
 stop_if_missing
 
-prepare_apps
+if [ -z "$input" ]; then
+  prepare_apps synthetic-rawlog rawlog-loop-closure loop-closure-eval
+elif [ -d "$input" ]; then
+  prepare_apps images-to-rawlog rawlog-loop-closure
+else
+  prepare_apps rawlog-loop-closure
+fi
 mkdir -p "$output"
 rawlog=$input
 if [ -z "$input" ]; then

@@ -90,12 +90,14 @@ count_files() {
 # app_path NAME: in $apps; a build tree has a folder for each app.
 app_path() { if [ -d "$apps/$1" ]; then echo "$apps/$1/$1"; else echo "$apps/$1"; fi; }
 
-# prepare_apps: sets apps; installs, builds and gets the model first unless FILD_APPS is set.
+# prepare_apps [APP]...: sets apps; installs, builds these and gets the model first unless FILD_APPS is set.
+# Without arguments those that convert, run and score a data set.
 prepare_apps() {
+  [ $# -gt 0 ] || set -- images-to-rawlog rawlog-loop-closure loop-closure-eval
   if [ -n "${FILD_APPS:-}" ]; then
     apps=$(realpath -m "$FILD_APPS")
     local app
-    for app in images-to-rawlog synthetic-rawlog rawlog-loop-closure loop-closure-eval; do
+    for app; do
       [ -x "$(app_path "$app")" ] || fail "FILD_APPS=$FILD_APPS holds no $app"
     done
     return
@@ -105,7 +107,8 @@ prepare_apps() {
   (
     cd "$repository" || exit
     cmake --preset release > /dev/null
-    cmake --build --preset release
+    echo "$self: building $*; this takes a few minutes the first time"
+    NINJA_STATUS="building: %p, %e s  " cmake --build --preset release --target "$@"
   )
   "$scripts/get-model.sh"
   apps=$repository/build/release/apps

@@ -11,10 +11,13 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace
@@ -27,6 +30,7 @@ struct AppOptions
 {
     fild::SyntheticRequest request;
     std::string birds_eye_path;  ///< empty: no such picture
+    std::size_t threads = 1;
     bool quiet = false;
 };
 
@@ -64,6 +68,13 @@ std::optional<AppOptions> parse(int argc, char** argv)
         "", "birds-eye", "Picture of town and route from the air", false, "", "FILE.png", command);
     Text config("c", "config", "Changes to the preset", false, "", "FILE.ini", command);
     Number seed("", "seed", "Another town, route and noise: [town] seed", false, 1, "N", command);
+    Number threads("t",
+                   "threads",
+                   "Draws with N threads, 0: one for each core; the result is the same",
+                   false,
+                   0,
+                   "N",
+                   command);
     Number frames("n", "frames", "Stop after so many frames", false, 1, "N", command);
     std::vector<std::string> sensors{"mono", "stereo", "rgbd"};
     TCLAP::ValuesConstraint<std::string> known_sensors(sensors);
@@ -74,8 +85,11 @@ std::optional<AppOptions> parse(int argc, char** argv)
     Text output("o", "output", "The rawlog; must not exist yet", true, "", "FILE.rawlog", command);
     if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
     if (frames.getValue() < 1) throw fild::WrongUsage("--frames must be at least 1");
+    if (threads.getValue() < 0) throw fild::WrongUsage("--threads must not be negative");
 
     AppOptions options;
+    options.threads = threads.getValue() > 0 ? static_cast<std::size_t>(threads.getValue())
+                                             : std::max(1U, std::thread::hardware_concurrency());
     options.quiet = quiet.getValue();
     options.birds_eye_path = birds_eye.getValue();
     options.request.rawlog_path = output.getValue();
@@ -122,6 +136,12 @@ void run(const AppOptions& options)
         if (!town) town.emplace(request.options.town);
         return town->draw(camera, map_from_camera, conditions);
     };
+    const auto town_of_a_thread = [&]() -> fild::DrawView
+    {
+        return [own = std::make_shared<fild::Town>(request.options.town)](
+                   const auto& camera, const auto& map_from_camera, const auto& conditions)
+        { return own->draw(camera, map_from_camera, conditions); };
+    };
     fild::ProgressLine progress(options.quiet, "loops");
     const auto on_frame = [&](std::size_t done, std::size_t frames, std::size_t loops)
     {
@@ -129,9 +149,13 @@ void run(const AppOptions& options)
         progress.update(static_cast<double>(done) / static_cast<double>(frames), done, loops);
     };
     const auto made = fild::as_usage(
-        [&] {
-            return write_synthetic_recording(
-                request, request.options.town.street_grid(), draw, on_frame);
+        [&]
+        {
+            return write_synthetic_recording(request,
+                                             request.options.town.street_grid(),
+                                             draw,
+                                             on_frame,
+                                             {options.threads - 1, town_of_a_thread});
         });
     if (birds_eye) write_birds_eye(*birds_eye, request.options, *town);
     std::cout << made.paths.front() << ": " << made.frames << " frames, "

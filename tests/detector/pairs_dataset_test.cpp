@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <filesystem>
+#include <map>
 
 namespace
 {
@@ -32,18 +33,22 @@ fild::TDetectorOptions options_of(const std::string& config, int seed)
     return options;
 }
 
-std::vector<fild::FrameDescription> describe_all(const fild::TDetectorOptions& options)
+/** Features of all images; they do not depend on the seed, and are computed once for all tests that
+ *  use one configuration. */
+const std::vector<fild::FrameFeatures>& features_of_all(const std::string& config)
 {
-    fild::FrameDescriber describer(options);
+    static std::map<std::string, std::vector<fild::FrameFeatures>> known;
+    auto& features = known[config];
+    if (!features.empty()) return features;
+    fild::FrameFeatureExtractor extractor(options_of(config, 1));
     fild::StageTimes times;
-    std::vector<fild::FrameDescription> descriptions;
     for (const auto& name : kNames)
     {
         fild::Frame frame;
         frame.image = cv::imread(kPairs + name, cv::IMREAD_ANYCOLOR);
-        descriptions.push_back(describer.describe(frame, times));
+        features.push_back(extractor.extract(frame, times));
     }
-    return descriptions;
+    return features;
 }
 
 /** The verdict on `query` when `earlier` is all that was seen before. */
@@ -75,7 +80,9 @@ class Pairs : public ::testing::TestWithParam<int>
     void expect_rejections(const std::string& config, fild::Rejection of_true_pairs) const
     {
         const auto options = options_of(config, GetParam());
-        const auto all = describe_all(options);
+        const fild::FrameHasher hasher(options);
+        std::vector<fild::FrameDescription> all;
+        for (const auto& features : features_of_all(config)) all.push_back(hasher.hash(features));
         for (std::size_t a = 0; a < all.size(); ++a)
             for (std::size_t b = 0; b < all.size(); ++b)
             {

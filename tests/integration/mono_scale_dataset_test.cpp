@@ -83,7 +83,8 @@ class Drive
 
 TEST(MonoScale, IsThatOfTheOdometry)
 {
-    if (!fs::exists(kSequence)) GTEST_SKIP() << "no " << kSequence;
+    for (const auto* name : {"poses_kitti.txt", "calib.txt", "images"})
+        if (!fs::exists(kSequence / name)) GTEST_SKIP() << kSequence / name << " is missing";
     const Drive drive;
     const fild::RelativePoseEstimator estimator(fild::TRelativePoseOptions(), 1);
     constexpr std::size_t kBaselineFrames = 3;  // some 2.3 m
@@ -106,6 +107,7 @@ TEST(MonoScale, IsThatOfTheOdometry)
         const double length = cv::norm(pose.candidate_from_query->b_from_a.translation);
         scale_errors.push_back(std::abs(length / cv::norm(truth.translation) - 1));
     }
+    ASSERT_GT(tried, 0U) << "too few poses in " << kSequence / "poses_kitti.txt";
     const double median = EdgeStatistics::median_of(scale_errors);
     std::cout << scale_errors.size() << " poses of " << tried << " frames with " << known / tried
               << " depths each; median scale error " << 100 * median << " %\n";

@@ -17,6 +17,7 @@
 #include <mrpt/poses/CPose3DQuat.h>
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <sstream>
 
@@ -502,6 +503,73 @@ TEST(SyntheticOptions, StandInTheReadme)
         for (const auto& [key, value] : of_section->values())
             EXPECT_THAT(readme, HasSubstr("`" + key + "`")) << "[" << section << "]";
     }
+}
+
+std::map<std::string, std::string> files_made_with(std::size_t helpers, SensorKind sensor)
+{
+    const TemporaryFolder folder;
+    write_synthetic_recording(small_request(folder, sensor),
+                              small_town(),
+                              draw,
+                              nullptr,
+                              {helpers, [] { return fild::DrawView(draw); }});
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
+        if (entry.is_regular_file())
+            files[fs::relative(entry.path(), folder.path()).string()] =
+                read_text(entry.path().string());
+    return files;
+}
+
+TEST(SyntheticRecording, IsTheSameHoweverManyThreadsDraw)
+{
+    for (const auto sensor : {SensorKind::stereo, SensorKind::rgbd})
+    {
+        const auto alone = files_made_with(0, sensor);
+        EXPECT_GT(alone.size(), 3U);
+        for (const std::size_t helpers : {1U, 2U, 100U})
+            EXPECT_EQ(files_made_with(helpers, sensor), alone) << helpers << " helpers";
+    }
+}
+
+TEST(SyntheticRecording, IsDrawnByEachThreadInTurn)
+{
+    const TemporaryFolder folder;
+    const auto request = small_request(folder, SensorKind::mono);
+    std::atomic<std::size_t> own{0};
+    std::atomic<std::size_t> helped{0};
+    const auto counted = [](std::atomic<std::size_t>& count)
+    {
+        return [&count](const auto& camera, const auto& pose, const auto& conditions)
+        {
+            ++count;
+            return draw(camera, pose, conditions);
+        };
+    };
+    const auto made = write_synthetic_recording(
+        request, small_town(), counted(own), nullptr, {1, [&] {
+                                                           return fild::DrawView(counted(helped));
+                                                       }});
+    EXPECT_EQ(own, (made.frames + 1) / 2);
+    EXPECT_EQ(helped, made.frames / 2);
+}
+
+TEST(SyntheticRecording, EndsWithWhatAThreadThrows)
+{
+    const TemporaryFolder folder;
+    const auto request = small_request(folder, SensorKind::mono);
+    const auto fail = [](const auto&, const auto&, const auto&) -> fild::RenderedView
+    { throw std::runtime_error("out of paint"); };
+    EXPECT_EQ(message_of<std::runtime_error>(
+                  [&]
+                  {
+                      write_synthetic_recording(
+                          request, small_town(), draw, nullptr, {2, [&] {
+                                                                     return fild::DrawView(fail);
+                                                                 }});
+                  }),
+              "out of paint");
+    EXPECT_FALSE(fs::exists(request.rawlog_path));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/synthetic/synthetic_recording.h"
 
+#include "drawing_threads.h"
 #include "fild/rawlog/robot_path_file.h"
 #include "fild/synthetic/odometry.h"
 #include "fild/synthetic/road_users.h"
@@ -87,9 +88,8 @@ std::vector<StampedPose> true_path(const std::vector<RoutePose>& route)
 class Recorder
 {
  public:
-    Recorder(const SyntheticRequest& request, const StreetGrid& grid, const DrawView& draw)
+    Recorder(const SyntheticRequest& request, const StreetGrid& grid)
         : options_(checked(request.options)),
-          draw_(draw),
           route_(plan_route(options_.route, grid, seed_of(options_))),
           odometry_(measured_odometry(options_, route_)),
           road_users_(
@@ -99,24 +99,19 @@ class Recorder
     {
     }
 
-    void record(std::size_t frame);
+    /** What there is to see at a frame. May run concurrently, with itself and with record(). */
+    DrawnFrame look(std::size_t frame, const DrawView& draw) const;
+    void record(std::size_t frame, const DrawnFrame& seen);
     SyntheticSummary finish();
 
     std::size_t frames() const { return route_.size(); }
     std::size_t loops() const { return loops_.pairs().size(); }
 
  private:
-    struct Seen
-    {
-        std::vector<mrpt::img::CImage> images;
-        cv::Mat depth;  ///< of the first
-    };
-    Seen look(std::size_t frame) const;
-    void write(std::size_t frame, const Seen& seen);
+    void write(std::size_t frame, const DrawnFrame& seen);
     mrpt::obs::CObservation::Ptr odometry_observation(std::size_t frame) const;
 
     TSyntheticOptions options_;
-    const DrawView& draw_;
     std::vector<RoutePose> route_;
     std::vector<TPose3D> odometry_;  ///< start_from_robot of each frame
     RoadUsers road_users_;
@@ -124,38 +119,40 @@ class Recorder
     OverlapLoops loops_;
 };
 
-void Recorder::record(std::size_t frame)
+void Recorder::record(std::size_t frame, const DrawnFrame& seen)
 {
     const auto& pose = route_[frame];
-    const auto seen = look(frame);
     write(frame, seen);
     const CPose3D robot_from_camera(robot_from_cameras(options_.sensors).front());
     const auto map_from_camera = CPose3D(pose.map_from_robot) + robot_from_camera;
     loops_.add(pose.seconds, map_from_camera.asTPose(), seen.depth);
 }
 
-Recorder::Seen Recorder::look(std::size_t frame) const
+DrawnFrame Recorder::look(std::size_t frame, const DrawView& draw) const
 {
     const auto& pose = route_[frame];
     auto conditions = conditions_of_lap(options_.conditions, pose.lap, seed_of(options_));
     conditions.road_users = road_users_.at(frame);
     const auto cameras = robot_from_cameras(options_.sensors);
-    Seen seen;
+    DrawnFrame seen;
     for (std::size_t i = 0; i < cameras.size(); ++i)
     {
-        const auto view = draw_(camera_of(options_.sensors),
-                                CPose3D(pose.map_from_robot) + CPose3D(cameras[i]),
-                                conditions);
-        const auto image = with_image_effects(
-            view.image, options_.conditions, seed_of(options_), frame * cameras.size() + i);
-        seen.images.push_back(files_.add_image(image_name(frame, i, cameras.size()), image));
+        const auto view = draw(camera_of(options_.sensors),
+                               CPose3D(pose.map_from_robot) + CPose3D(cameras[i]),
+                               conditions);
+        seen.images.push_back(with_image_effects(
+            view.image, options_.conditions, seed_of(options_), frame * cameras.size() + i));
         if (i == 0) seen.depth = view.depth;
     }
     return seen;
 }
 
-void Recorder::write(std::size_t frame, const Seen& seen)
+void Recorder::write(std::size_t frame, const DrawnFrame& seen)
 {
+    std::vector<mrpt::img::CImage> images;
+    for (std::size_t i = 0; i < seen.images.size(); ++i)
+        images.push_back(
+            files_.add_image(image_name(frame, i, seen.images.size()), seen.images[i]));
     const auto& sensors = options_.sensors;
     const auto& pose = route_[frame];
     const auto stamp = mrpt::Clock::fromDouble(kRecordingStart + pose.seconds);
@@ -164,7 +161,7 @@ void Recorder::write(std::size_t frame, const Seen& seen)
     if (sensors.gps)
         observations.insert(
             gps_observation(sensors, stamp, pose.map_from_robot, seed_of(options_), frame));
-    observations.insert(camera_observation(sensors, stamp, seen.images, seen.depth));
+    observations.insert(camera_observation(sensors, stamp, images, seen.depth));
     if (sensors.odometry == OdometryKind::action)
     {
         const auto& before = odometry_[frame == 0 ? 0 : frame - 1];
@@ -214,12 +211,18 @@ SyntheticSummary Recorder::finish()
 SyntheticSummary write_synthetic_recording(const SyntheticRequest& request,
                                            const StreetGrid& grid,
                                            const DrawView& draw,
-                                           const OnFrame& on_frame)
+                                           const OnFrame& on_frame,
+                                           const DrawingHelpers& helpers)
 {
-    Recorder recorder(request, grid, draw);
+    Recorder recorder(request, grid);
+    DrawingThreads threads(recorder.frames(),
+                           draw,
+                           helpers,
+                           [&](std::size_t frame, const DrawView& means)
+                           { return recorder.look(frame, means); });
     for (std::size_t frame = 0; frame < recorder.frames(); ++frame)
     {
-        recorder.record(frame);
+        recorder.record(frame, threads.frame(frame));
         if (on_frame) on_frame(frame + 1, recorder.frames(), recorder.loops());
     }
     return recorder.finish();

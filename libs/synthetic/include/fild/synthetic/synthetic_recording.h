@@ -19,6 +19,15 @@ constexpr double kRecordingStart = 1577836800;
 using DrawView = std::function<RenderedView(
     const CameraModel&, const mrpt::poses::CPose3D& map_from_camera, const LapConditions&)>;
 
+/** Threads that draw beside the calling one: with n of them each thread draws every (n + 1)-th frame. */
+struct DrawingHelpers
+{
+    std::size_t count = 0;
+    /** Called once in each thread; what it returns is used and destroyed there, and must draw what the
+     *  caller's DrawView draws. May be empty when count is 0. */
+    std::function<DrawView()> make{};
+};
+
 /** Told after each frame how far a recording is. What it throws ends the recording. */
 using OnFrame =
     std::function<void(std::size_t frames_done, std::size_t frames, std::size_t loops_found)>;
@@ -46,13 +55,15 @@ struct SyntheticSummary
  *  Beside `NAME.rawlog` come, all or none of them: `NAME_Images` with a JPEG for each image (unless
  *  embedded); `NAME.gt.tum` with the true pose of the robot for each frame: "timestamp x y z qx qy
  *  qz qw"; and `NAME.loops.txt`, see OverlapLoops. Nothing appears under its name before all is
- * done. Holds one frame and the points of OverlapLoops in memory. Deterministic: the same options,
- * grid and drawing give the same bytes. \throw std::invalid_argument on bad options, or a path that
- * does not end in ".rawlog". \throw std::runtime_error naming the file: one of them exists already;
- * disk full. */
+ *  done. Holds a frame, two more for each helper, and the points of OverlapLoops in memory.
+ *  Deterministic: the same options, grid and drawing give the same bytes, with any number of helpers.
+ *  \throw std::invalid_argument on bad options, or a path that does not end in ".rawlog".
+ *  \throw std::runtime_error naming the file: one of them exists already; disk full.
+ *  Throws what `draw` throws in any thread. */
 SyntheticSummary write_synthetic_recording(const SyntheticRequest& request,
                                            const StreetGrid& grid,
                                            const DrawView& draw,
-                                           const OnFrame& on_frame);
+                                           const OnFrame& on_frame,
+                                           const DrawingHelpers& helpers = {});
 
 }  // namespace fild
