@@ -27,7 +27,7 @@ KeyframeObservations read_keyframes(const PoseGraph& graph, const MappedRawlog& 
     std::set<FrameId> wanted;
     for (const auto& node : graph.nodes) wanted.insert(node.frame);
     KeyframeObservations keyframes;
-    RawlogReader reader(rawlog.path);
+    RawlogReader reader(rawlog.path, rawlog.input.max_entry_megabytes);
     FrameBuilder builder(rawlog.input, rawlog.path);
     while (keyframes.size() < wanted.size())
     {
