@@ -2,6 +2,7 @@
 #include "entry_process.h"
 
 #include "entry_sender.h"
+#include "fild/core/trial_process.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,6 @@
 #include <exception>
 #include <fcntl.h>
 #include <stdexcept>
-#include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -19,39 +19,15 @@ namespace fild
 {
 namespace
 {
-constexpr int kPipe = 3;  // the first number behind the standard streams
 /** Room for an entry or two, so that neither process waits for the other within one. */
 constexpr int kPipeBytes = 1 << 20;
 
-/** What the user or the program around us has set for signals is not for this process. */
-void set_signals()
-{
-    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTRAP, SIGSYS})
-        std::signal(signal, SIG_DFL);
-    // It ends with the process that started it, which is asked by the same signals.
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE})
-        std::signal(signal, SIG_IGN);
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, nullptr);
-}
-
-/** Locks and pipes of the program around us are let go; what MRPT prints, it prints again there. */
-void set_files(int pipe)
-{
-    if (pipe != kPipe) ::dup2(pipe, kPipe);
-    const int nothing = ::open("/dev/null", O_RDWR);
-    for (int stream = 0; stream < kPipe; ++stream) ::dup2(nothing, stream);
-    ::closefrom(kPipe + 1);
-}
-
 [[noreturn]] void run_sender(const std::string& rawlog, std::size_t max_entry_bytes, int pipe)
 {
-    set_signals();
-    set_files(pipe);
+    const int kept = become_trial_process(pipe);
     try
     {
-        send_entries(rawlog, max_entry_bytes, kPipe);
+        send_entries(rawlog, max_entry_bytes, kept);
     }
     catch (const std::exception&)
     {
@@ -145,16 +121,10 @@ bool EntryProcess::receive(void* target, std::size_t count) const
 
 std::string EntryProcess::reason_of_its_end()
 {
-    int status = 0;
-    pid_t ended = -1;
-    do ended = ::waitpid(process_, &status, 0);
-    while (ended < 0 && errno == EINTR);
-    const bool is_signal = ended == process_ && WIFSIGNALED(status);
+    const auto reason = reason_of_end(process_);
     process_ = -1;
-    if (!is_signal) return "the process that reads it ended";
-    if (WTERMSIG(status) == SIGXCPU) return "an entry takes more than 10 s of computing";
-    return "reading an entry ended in signal " + std::to_string(WTERMSIG(status)) +
-           ", as with sizes that are wrong";
+    if (reason.empty()) return "the process that reads it ended";
+    return "reading an entry ended in " + reason + ", as with sizes that are wrong";
 }
 
 }  // namespace fild

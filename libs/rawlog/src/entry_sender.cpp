@@ -2,20 +2,18 @@
 #include "entry_sender.h"
 
 #include "entry_message.h"
+#include "fild/core/trial_process.h"
 #include "gz_archive.h"
 #include "mrpt_reason.h"
 
 #include <mrpt/obs/CRawlog.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <new>
 #include <stdexcept>
-#include <sys/resource.h>
 #include <unistd.h>
 #include <vector>
 
@@ -23,43 +21,9 @@ namespace fild
 {
 namespace
 {
-constexpr rlim_t kSecondsPerEntry = 10;  // of computing, not of waiting for the disk
+constexpr int kSecondsPerEntry = 10;
 constexpr std::size_t kMaxStackBytes = std::size_t{256} << 10U;
-
-void limit(int resource, rlim_t value)
-{
-    rlimit now{};
-    if (getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return;
-    now.rlim_cur = std::min({value, now.rlim_cur, now.rlim_max});
-    setrlimit(static_cast<__rlimit_resource>(resource), &now);
-}
-
-/** Memory of its own that this process may still write to; 0 when the system does not tell. */
-std::size_t data_bytes()
-{
-    std::ifstream statistics("/proc/self/statm");
-    std::array<std::size_t, 6> pages{};
-    for (auto& each : pages) statistics >> each;
-    return statistics ? pages[5] * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
-}
-
-void limit_memory(std::size_t bytes)
-{
-    constexpr std::size_t kForReading = std::size_t{8} << 20U;  // buffers of zlib's and ours
-    if (const auto used = data_bytes(); used > 0) limit(RLIMIT_DATA, used + kForReading + bytes);
-    limit(RLIMIT_CORE, 0);
-}
-
-/** The process is ended when the next entry takes longer. */
-void limit_time_of_next_entry(const rlimit& at_start)
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    auto next = at_start;
-    const auto used = static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
-    next.rlim_cur = std::min({used + kSecondsPerEntry, at_start.rlim_cur, at_start.rlim_max});
-    setrlimit(RLIMIT_CPU, &next);
-}
+constexpr std::size_t kForReading = std::size_t{8} << 20U;  // buffers of zlib's and ours
 
 /** Writes messages to the pipe; ends the process when nobody reads them any more. */
 class MessagePipe
@@ -303,10 +267,8 @@ class EntryWalk
 
 void send_until_bad(EntryArchive& archive, const MessagePipe& pipe)
 {
-    rlimit cpu{};
-    getrlimit(RLIMIT_CPU, &cpu);
     EntryWalk walk(archive);
-    do limit_time_of_next_entry(cpu);
+    do limit_computing(kSecondsPerEntry);
     while (walk.send_next());
     pipe.send(EntryMessageKind::end, archive.source().stored_bytes_read());
 }
@@ -318,7 +280,7 @@ void send_entries(const std::string& rawlog, std::size_t max_entry_bytes, int pi
     const MessagePipe messages(pipe);
     EntryArchive archive(rawlog, max_entry_bytes, messages);
     const auto position = [&] { return archive.source().stored_bytes_read(); };
-    limit_memory(max_entry_bytes);
+    limit_memory(kForReading + max_entry_bytes);
     try
     {
         send_until_bad(archive, messages);
