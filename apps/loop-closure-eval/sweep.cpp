@@ -95,9 +95,12 @@ std::string feature_key_of(TLoopClosureStreamOptions& options)
 /** Hands every camera observation to `use` until the end of the rawlog, the limit of frames or an
  *  interruption. */
 template <class Use>
-void for_each_frame(const SweepRequest& request, FrameBuilder& builder, Use&& use)
+void for_each_frame(const SweepRequest& request,
+                    const TInputOptions& input,
+                    FrameBuilder& builder,
+                    Use&& use)
 {
-    RawlogReader reader(request.rawlog);
+    RawlogReader reader(request.rawlog, input.max_entry_megabytes);
     std::size_t frames = 0;
     while ((frames < request.max_frames || request.max_frames == 0) && !interrupted())
     {
@@ -119,6 +122,7 @@ std::vector<FrameVerdict> frames_of(const SweepRequest& request, const TInputOpt
     FrameBuilder builder(input, request.rawlog);
     std::vector<FrameVerdict> frames;
     for_each_frame(request,
+                   input,
                    builder,
                    [&](const mrpt::obs::CObservation& observation, double)
                    {
@@ -148,6 +152,7 @@ Recording extract_features(const SweepRequest& request, TLoopClosureStreamOption
     ProgressLine progress(request.quiet, "keypoints");
     for_each_frame(
         request,
+        options.input,
         builder,
         [&](const mrpt::obs::CObservation& observation, double fraction)
         {

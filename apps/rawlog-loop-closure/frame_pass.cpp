@@ -17,7 +17,7 @@ void for_each_frame(const std::string& rawlog,
                     const std::function<void(const Frame&)>& visit)
 {
     if (wanted.empty()) return;
-    RawlogReader reader(rawlog);
+    RawlogReader reader(rawlog, input.max_entry_megabytes);
     FrameBuilder builder(input, rawlog);
     while (builder.next_id() <= *wanted.rbegin() && !interrupted())
     {

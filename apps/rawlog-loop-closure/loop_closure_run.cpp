@@ -142,7 +142,7 @@ void run_loop_closure(RunRequest request)
     cv::setNumThreads(1);  // our own threads are enough, and OpenCV's may not repeat
     const auto& options = request.options;
     if (request.truth) require_readable(request.truth->file);
-    RawlogReader reader(request.rawlog);
+    RawlogReader reader(request.rawlog, options.stream.input.max_entry_megabytes);
     LoopClosureStream stream(options.stream, request.rawlog);
     const OutputFolder folder(request.output);
     Gathered gathered(folder, options);

@@ -179,6 +179,22 @@ TEST(GlobalDescriptor, RefusesAFileThatIsNoModel)
     EXPECT_THAT(construction_error(options), HasSubstr("cannot read " + options.model_file));
 }
 
+// OpenCV 4.6 looks for the weights of a layer by their name, and does not look whether they are there.
+TEST(GlobalDescriptor, RefusesADamagedModelThatCrashesOpenCv)
+{
+    const fild::testing::TemporaryFolder folder;
+    auto bytes = fild::testing::read_text(FILD_TINY_NETWORK);
+    const auto name = bytes.rfind("weights");
+    ASSERT_NE(name, std::string::npos);
+    bytes[name] = 'v';
+    fild::testing::write_text(folder.path("damaged.onnx"), bytes);
+    auto options = tiny_network();
+    options.model_file = folder.path("damaged.onnx");
+    EXPECT_THAT(
+        construction_error(options),
+        ::testing::AllOf(HasSubstr("cannot read " + options.model_file), HasSubstr("signal")));
+}
+
 TEST(GlobalDescriptor, NamesALayerThatIsNotThere)
 {
     auto options = tiny_network();

@@ -89,4 +89,18 @@ TEST(ReadImageFile, GivesNothingForAHeaderThatAsksForTooMuch)
     EXPECT_FALSE(read_image_file(folder.path("huge.pgm")));
 }
 
+TEST(ReadImageFile, GivesNothingBeyondItsLimit)
+{
+    const TemporaryFolder folder;
+    for (const auto* name : {"large.jpg", "large.png"})
+    {
+        cv::imwrite(folder.path(name), draw_image(CV_8UC3, 0, {1000, 500}));  // 1.5 MB
+        EXPECT_FALSE(read_image_file(folder.path(name), 1)) << name;
+        EXPECT_TRUE(read_image_file(folder.path(name), 2)) << name;
+    }
+    write_text(folder.path("text.pgm"), "P5\n1 1\n255\n" + std::string(1U << 20U, 'a'));
+    EXPECT_FALSE(read_image_file(folder.path("text.pgm"), 1));
+    EXPECT_TRUE(read_image_file(folder.path("text.pgm"), 2));
+}
+
 }  // namespace

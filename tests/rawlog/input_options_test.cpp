@@ -34,13 +34,16 @@ TEST(InputOptions, TakeTheFirstCameraAndSkipMissingImagesByDefault)
     EXPECT_EQ(options.on_missing_image, OnMissingImage::skip);
     EXPECT_TRUE(options.undistort);
     EXPECT_EQ(options.camera_parameters, "");
+    EXPECT_EQ(options.max_entry_megabytes, 256);
 }
 
 TEST(InputOptions, SurviveARoundTripThroughText)
 {
     const auto options = load(
         "sensor_label=CAM.*\nimages_dir=/data/my images\non_missing_image=stop\n"
-        "undistort=false\ncamera_parameters=500 500 320 240 640 480\n");
+        "undistort=false\ncamera_parameters=500 500 320 240 640 480\n"
+        "max_entry_megabytes=2000\n");
+    EXPECT_EQ(options.max_entry_megabytes, 2000);
     EXPECT_EQ(options.on_missing_image, OnMissingImage::stop);
     EXPECT_FALSE(options.undistort);
     CConfigFileMemory saved;
@@ -56,6 +59,7 @@ TEST(InputOptions, NameTheKeyOfABadValue)
                 AllOf(HasSubstr("[input] sensor_label='CAM('"), HasSubstr("regular expression")));
     EXPECT_THAT(load_error("on_missing_image=ignore\n"), HasSubstr("skip, stop"));
     EXPECT_THAT(load_error("undistort=1\n"), HasSubstr("undistort"));
+    EXPECT_THAT(load_error("max_entry_megabytes=0\n"), HasSubstr("max_entry_megabytes"));
     EXPECT_THAT(load_error("camera_parameters=500 500\n"),
                 HasSubstr("[input] camera_parameters: expected"));
     EXPECT_THAT(load_error("camera_parameters=a b c d e f\n"), HasSubstr("not a number"));

@@ -2,14 +2,19 @@
 #include "fild/rawlog/rawlog_reader.h"
 
 #include "drawn_rawlog.h"
+#include "fild/core/whole_file.h"
 #include "message_of.h"
 
 #include <mrpt/math/TPose3D.h>
 #include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3D.h>
+
+#include <optional>
+#include <sys/wait.h>
 
 namespace
 {
@@ -205,7 +210,7 @@ TEST(RawlogReader, GivesTheGoodPartOfAPlainRawlogCutOffAnywhere)
         ends.push_back(read_text(folder.path("whole.rawlog")).size());
     }
     const auto whole = read_text(folder.path("whole.rawlog"));
-    for (std::size_t length = 40; length < whole.size(); length += 7)
+    for (std::size_t length = 40; length < whole.size(); length += 211)
     {
         write_text(folder.path("cut.rawlog"), whole.substr(0, length));
         const auto reading = read_all(folder.path("cut.rawlog"));
@@ -227,7 +232,7 @@ TEST(RawlogReader, NeverTakesACutOffGzipFileForAWholeOne)
     const TemporaryFolder folder;
     write_gz(folder.path("whole.rawlog"), three_observations());
     const auto whole = read_text(folder.path("whole.rawlog"));
-    for (std::size_t length = 200; length < whole.size(); length += 3)
+    for (std::size_t length = 200; length < whole.size(); length += 97)
     {
         write_text(folder.path("cut.rawlog"), whole.substr(0, length));
         EXPECT_TRUE(read_all(folder.path("cut.rawlog")).truncated) << length;
@@ -240,7 +245,7 @@ TEST(RawlogReader, ReportsACutOffRawlogOfEvenAFewBytes)
     write_gz(folder.path("gz.rawlog"), three_observations());
     write_plain(folder.path("plain.rawlog"), three_observations());
     for (const auto* name : {"gz.rawlog", "plain.rawlog"})
-        for (std::size_t length = 1; length < 60; ++length)
+        for (std::size_t length = 1; length < 60; length += 11)
         {
             write_text(folder.path("cut.rawlog"), read_text(folder.path(name)).substr(0, length));
             EXPECT_THROW(RawlogReader(folder.path("cut.rawlog")).next(), std::runtime_error);
@@ -258,6 +263,165 @@ TEST(RawlogReader, NoticesDamagedCompressedDataAndSaysItAgain)
     RawlogReader reader(path);
     EXPECT_THROW(while (reader.next()) continue, TruncatedRawlog);
     EXPECT_THROW(reader.next(), TruncatedRawlog);
+}
+
+/** Exchanges bytes where they first stand in a file. */
+void replace_in(const std::string& path, const std::string& before, const std::string& after)
+{
+    auto bytes = read_text(path);
+    const auto at = bytes.find(before);
+    ASSERT_NE(at, std::string::npos);
+    write_text(path, bytes.replace(at, before.size(), after));
+}
+
+std::string bytes_of(std::uint32_t number)
+{
+    return {reinterpret_cast<const char*>(&number), sizeof(number)};
+}
+
+/** As MRPT begins an object in a file. */
+std::string object_header(const std::string& name, char version)
+{
+    return static_cast<char>(0x80U | name.size()) + name + version;
+}
+
+constexpr char kEndOfObject = '\x88';
+
+/** The labels read before the damage, and what the reader says of it. */
+struct DamagedReading
+{
+    std::vector<std::string> labels;
+    std::string message;
+};
+
+DamagedReading read_damaged(const std::string& path, int max_megabytes = 64)
+{
+    DamagedReading reading;
+    RawlogReader reader(path, max_megabytes);
+    reading.message = message_of<TruncatedRawlog>(
+        [&]
+        {
+            while (const auto observation = reader.next())
+                reading.labels.push_back(observation->sensorLabel);
+        });
+    EXPECT_THAT(reading.message, ::testing::Not(HasSubstr("\n")));
+    return reading;
+}
+
+TEST(RawlogReader, KeepsWhatCameBeforeAnEntryThatCrashesMrpt)
+{
+    auto scan = mrpt::obs::CObservation3DRangeScan::Create();
+    scan->hasRangeImage = true;
+    scan->rangeImage.setSize(48, 64);
+    const TemporaryFolder folder;
+    const auto path = folder.path("scan.rawlog");
+    write_plain(path, {image_observation(draw_image(), 1, "LEFT"), scan});
+    constexpr std::uint32_t kMillion = 1U << 20U;
+    replace_in(path, bytes_of(48) + bytes_of(64), bytes_of(kMillion) + bytes_of(kMillion));
+    const auto reading = read_damaged(path);
+    EXPECT_THAT(reading.labels, ElementsAre("LEFT"));
+    EXPECT_THAT(reading.message, AllOf(HasSubstr("after 1 entries"), HasSubstr("signal")));
+}
+
+TEST(RawlogReader, RefusesASizeBeyondItsLimit)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path("label.rawlog");
+    write_plain(path,
+                {image_observation(draw_image(), 1, "LEFT"),
+                 image_observation(draw_image(), 2, "LABEL_TO_DAMAGE")});
+    replace_in(path, bytes_of(15) + "LABEL", bytes_of(0xFFFFFFFFU) + "LABEL");
+    const auto reading = read_damaged(path);
+    EXPECT_THAT(reading.labels, ElementsAre("LEFT"));
+    EXPECT_THAT(reading.message, HasSubstr("more than 64 MB, [input] max_entry_megabytes"));
+}
+
+TEST(RawlogReader, TakesLargerEntriesWhereThatIsAllowed)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path("bomb.rawlog");
+    const std::string label(4U << 20U, 'A');  // 4 kB in the file
+    write_gz(path, {image_observation(draw_image(), 1, label)});
+    EXPECT_THAT(read_damaged(path, 2).message, HasSubstr("more than 2 MB"));
+    EXPECT_EQ(RawlogReader(path).next()->sensorLabel.size(), label.size());
+}
+
+TEST(RawlogReader, RefusesObjectsWithinObjectsWithoutEnd)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path("nested.rawlog");
+    write_plain(path, {image_observation(draw_image(), 1, "LEFT")});
+    std::string nested;
+    for (int level = 0; level < 100000; ++level)
+        nested += object_header("CSensoryFrame", 2) + bytes_of(1);
+    write_text(path, read_text(path) + nested);
+    const auto reading = read_damaged(path);
+    EXPECT_THAT(reading.labels, ElementsAre("LEFT"));
+    EXPECT_THAT(reading.message, HasSubstr("after 1 entries"));
+}
+
+TEST(RawlogReader, ReadsRawlogsWithinRawlogs)
+{
+    const TemporaryFolder folder;
+    write_plain(folder.path("inner.rawlog"), {image_observation(draw_image(), 1, "INNER")});
+    write_plain(folder.path("comment.rawlog"), {mrpt::obs::CObservationComment::Create()});
+    auto bytes = read_text(folder.path("inner.rawlog"));
+    const auto comment = read_text(folder.path("comment.rawlog"));
+    std::string before;
+    std::string behind;
+    for (int level = 0; level < 10000; ++level)
+    {
+        before += object_header("CRawlog", 1) + bytes_of(1);
+        behind += comment + kEndOfObject;
+    }
+    write_text(folder.path("outer.rawlog"), before + bytes + behind);
+    EXPECT_THAT(labels_in(folder.path("outer.rawlog")), ElementsAre("INNER"));
+}
+
+TEST(RawlogReader, GivesTheEntriesOfARawlogObjectThatIsCutOff)
+{
+    auto rawlog = mrpt::obs::CRawlog::Create();
+    for (const auto* label : {"A", "B", "C"})
+        rawlog->insert(
+            mrpt::serialization::CSerializable::Ptr(image_observation(draw_image(), 1, label)));
+    const TemporaryFolder folder;
+    const auto path = folder.path("object.rawlog");
+    write_plain(path, {rawlog});
+    const auto whole = read_text(path);
+    write_text(path, whole.substr(0, whole.rfind("CObservationImage") + 100));
+    EXPECT_THAT(read_damaged(path).labels, ElementsAre("A", "B"));
+}
+
+TEST(RawlogReader, PassesOverAnObservationThatIsMissingFromItsFrame)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path("frame.rawlog");
+    write_plain(path, {image_observation(draw_image(), 1, "LEFT")});
+    const auto left = read_text(path);
+    const std::string missing = "\x87nullptr\x88";
+    write_text(path,
+               object_header("CSensoryFrame", 2) + bytes_of(2) + missing + left + kEndOfObject +
+                   missing + left);
+    EXPECT_THAT(labels_in(path), ElementsAre("LEFT", "LEFT"));
+}
+
+TEST(RawlogReader, LeavesNoProcessBehind)
+{
+    const TemporaryFolder folder;
+    write_plain(folder.path("plain.rawlog"), three_observations());
+    RawlogReader(folder.path("plain.rawlog")).next();
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "no child, running or ended";
+}
+
+TEST(RawlogReader, HoldsNoLockOfTheProgramAroundIt)
+{
+    const TemporaryFolder folder;
+    write_plain(folder.path("plain.rawlog"), three_observations());
+    auto lock = std::make_optional<fild::WriteLock>(folder.path());
+    RawlogReader reader(folder.path("plain.rawlog"));
+    ASSERT_NE(reader.next(), nullptr);
+    lock.reset();
+    EXPECT_TRUE(fild::WriteLock(folder.path()).is_held());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The only file that sees matio.
+#include "fild/core/trial_process.h"
 #include "fild/evaluation/loop_labels.h"
 
 #include <array>
@@ -177,9 +178,8 @@ bool see_sparse(const matvar_t& matrix, Pairs& pairs)
         },
         [&pairs](const auto& pair) { pairs.push_back(pair); });
 }
-}  // namespace
 
-LoopLabels read_loop_matrix(const std::string& path)
+LoopLabels read_matrix(const std::string& path)
 {
     const auto name = find_matrix(path);
     const auto file = open_mat_file(path);
@@ -196,6 +196,17 @@ LoopLabels read_loop_matrix(const std::string& path)
         throw std::runtime_error("the matrix " + name + " of " + path +
                                  " is damaged or has a cell that is not a number");
     return to_loop_labels(std::move(pairs), matrix->dims[0]);
+}
+}  // namespace
+
+LoopLabels read_loop_matrix(const std::string& path)
+{
+    constexpr TrialLimits kLimits{std::size_t{900} << 20U, 20};
+    const auto crash = crash_in_trial([&] { read_matrix(path); }, kLimits);
+    if (!crash.empty())
+        throw std::runtime_error("cannot read " + path + ": matio's attempt ended in " + crash +
+                                 "; fetch it again, or store the matrix as sparse or uint8");
+    return read_matrix(path);
 }
 
 }  // namespace fild

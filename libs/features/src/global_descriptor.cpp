@@ -3,6 +3,7 @@
 // CVPR 2018).
 #include "fild/features/global_descriptor.h"
 
+#include "fild/core/trial_process.h"
 #include "fild/features/model_file.h"
 #include "pooling.h"
 
@@ -109,6 +110,51 @@ cv::Mat to_blob(const cv::Mat& bgr, const TGlobalDescriptorOptions& options)
     return cv::dnn::blobFromImage(
         resized, options.scale, size, cv::Scalar(mean[0], mean[1], mean[2]), rgb);
 }
+/** The wanted layers' outputs for an image. */
+std::vector<cv::Mat> outputs_of(cv::dnn::Net& net,
+                                const std::vector<std::string>& layers,
+                                const cv::Mat& bgr,
+                                const TGlobalDescriptorOptions& options)
+{
+    std::vector<cv::Mat> outputs;
+    try
+    {
+        net.setInput(to_blob(bgr, options));
+        net.forward(outputs, layers);
+    }
+    catch (const cv::Exception& error)
+    {
+        throw std::runtime_error("[global_descriptor] " + options.model_file +
+                                 " does not run on an input of " +
+                                 std::to_string(options.input_width) + "x" +
+                                 std::to_string(options.input_height) + ": " + reason_of(error));
+    }
+    return outputs;
+}
+
+/** The smallest image that tells everything of a network. */
+cv::Mat black_input(const TGlobalDescriptorOptions& options)
+{
+    return cv::Mat::zeros(options.input_height, options.input_width, CV_8UC3);
+}
+
+/** OpenCV 4.6 crashes on some damaged networks. */
+void refuse_crashing_network(const TGlobalDescriptorOptions& options)
+{
+    constexpr TrialLimits kLimits{std::size_t{1} << 30U, 60};
+    const auto crash = crash_in_trial(
+        [&]
+        {
+            cv::setNumThreads(1);  // the threads of this process are not in its fork
+            auto net = read_network(options);
+            outputs_of(net, find_layers(net, options), black_input(options), options);
+        },
+        kLimits);
+    if (!crash.empty())
+        throw std::runtime_error("cannot read " + options.model_file +
+                                 " as a network: OpenCV's attempt ended in " + crash +
+                                 "; get the file again");
+}
 }  // namespace
 
 struct GlobalDescriptorExtractor::Network
@@ -124,10 +170,10 @@ GlobalDescriptorExtractor::GlobalDescriptorExtractor(const TGlobalDescriptorOpti
     options_.model_file = find_model_file(options_.model_file);
     if (!options_.caffe_prototxt_file.empty())
         options_.caffe_prototxt_file = find_model_file(options_.caffe_prototxt_file);
+    refuse_crashing_network(options_);
     network_->net = read_network(options_);
     network_->layers = find_layers(network_->net, options_);
-    dimension_ =
-        forward(cv::Mat::zeros(options_.input_height, options_.input_width, CV_8UC3)).size();
+    dimension_ = forward(black_input(options_)).size();
     const auto wanted = static_cast<std::size_t>(options_.dimension);
     if (wanted != 0 && wanted != dimension_)
         throw std::runtime_error("[global_descriptor] " + options_.model_file +
@@ -148,21 +194,8 @@ GlobalDescriptor GlobalDescriptorExtractor::extract(const cv::Mat& image)
 
 GlobalDescriptor GlobalDescriptorExtractor::forward(const cv::Mat& bgr)
 {
-    std::vector<cv::Mat> outputs;
-    try
-    {
-        network_->net.setInput(to_blob(bgr, options_));
-        network_->net.forward(outputs, network_->layers);
-    }
-    catch (const cv::Exception& error)
-    {
-        throw std::runtime_error("[global_descriptor] " + options_.model_file +
-                                 " does not run on an input of " +
-                                 std::to_string(options_.input_width) + "x" +
-                                 std::to_string(options_.input_height) + ": " + reason_of(error));
-    }
     GlobalDescriptor descriptor;
-    for (const auto& output : outputs)
+    for (const auto& output : outputs_of(network_->net, network_->layers, bgr, options_))
     {
         const auto pooled = pool(to_feature_map(output), options_);
         descriptor.insert(descriptor.end(), pooled.begin(), pooled.end());

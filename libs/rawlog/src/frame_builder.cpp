@@ -71,7 +71,7 @@ struct FrameBuilder::State
           FrameContent content)
         : options(checked_options),
           labels(options.sensor_label),
-          store(options.images_dir, rawlog_path),
+          store(options.images_dir, rawlog_path, options.max_entry_megabytes),
           override_camera(parse_override(options.camera_parameters))
     {
         if (content == FrameContent::metric)

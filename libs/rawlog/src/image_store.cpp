@@ -73,8 +73,11 @@ std::vector<fs::path> ends_of(std::string name)
 }
 }  // namespace
 
-ImageStore::ImageStore(const std::string& images_dir, const std::string& rawlog_path)
-    : images_dir_(images_dir.empty() ? usual_images_dir(rawlog_path) : images_dir)
+ImageStore::ImageStore(const std::string& images_dir,
+                       const std::string& rawlog_path,
+                       int max_megabytes)
+    : images_dir_(images_dir.empty() ? usual_images_dir(rawlog_path) : images_dir),
+      max_megabytes_(max_megabytes)
 {
 }
 
@@ -95,7 +98,7 @@ std::string ImageStore::path_of_file(const std::string& name) const
 
 std::optional<cv::Mat> ImageStore::load(const mrpt::img::CImage& image) const
 {
-    if (image.isExternallyStored()) return read_image_file(path_of(image));
+    if (image.isExternallyStored()) return read_image_file(path_of(image), max_megabytes_);
     if (image.isEmpty()) return std::nullopt;
     return image.asCvMatRef();  // since MRPT 2.0 grey or BGR, never RGB
 }

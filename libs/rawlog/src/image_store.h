@@ -20,8 +20,9 @@ class ImageStore
 {
  public:
     /** \param images_dir  folder of external images; empty: the one MRPT would use for the rawlog,
-     *  which need not exist as long as no image is looked for. */
-    ImageStore(const std::string& images_dir, const std::string& rawlog_path);
+     *  which need not exist as long as no image is looked for.
+     *  \param max_megabytes  of an external image, see read_image_file(). */
+    ImageStore(const std::string& images_dir, const std::string& rawlog_path, int max_megabytes);
 
     /** Path of an externally stored image; empty for an embedded one. */
     std::string path_of(const mrpt::img::CImage& image) const;
@@ -36,6 +37,7 @@ class ImageStore
 
  private:
     std::string images_dir_;
+    int max_megabytes_;
 };
 
 /** 8-bit grey as it is, 8-bit colour without alpha. 16 bits become 8: all but the darkest and the

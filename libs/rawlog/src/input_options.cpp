@@ -18,6 +18,7 @@ void TInputOptions::describe(OptionVisitor& visitor)
         {{"skip", OnMissingImage::skip}, {"stop", OnMissingImage::stop}});
     visitor.flag("undistort", undistort);
     visitor.text("camera_parameters", camera_parameters);
+    visitor.integer("max_entry_megabytes", max_entry_megabytes, 1, 65536);
 }
 
 void TInputOptions::check_between_fields() const

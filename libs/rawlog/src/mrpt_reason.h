@@ -7,7 +7,8 @@
 namespace fild
 {
 /** What an exception that came through MRPT's serialization says, in one line: without the banner,
- *  source location and call stack that MRPT puts around it, around our own exceptions too. */
+ *  source location and call stack that MRPT puts around it, around our own exceptions too. Bytes
+ *  that are not printable ASCII, as the names in damaged files have, become question marks. */
 std::string mrpt_reason(const std::exception& error);
 
 }  // namespace fild

@@ -17,11 +17,11 @@ using mrpt::math::CMatrix_u16;
 /** As CObservation3DRangeScan::load(): rows, columns, then the numbers. */
 CMatrix_u16 read_binary(const std::string& path)
 {
-    constexpr std::uint32_t kLongestSide = 65536;
+    constexpr std::size_t kMostNumbers = std::size_t{1} << 26U;
     GzReader file(path);
     const auto rows = file.ReadAs<std::uint32_t>();
     const auto columns = file.ReadAs<std::uint32_t>();
-    if (rows > kLongestSide || columns > kLongestSide) return {};
+    if (std::size_t{rows} * columns > kMostNumbers) return {};
     CMatrix_u16 ranges(rows, columns);
     if (ranges.size() > 0)
         file.ReadBufferFixEndianness<std::uint16_t>(ranges.data(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/rawlog/rawlog_reader.h"
 
+#include "entry_process.h"
 #include "gz_archive.h"
 #include "mrpt_reason.h"
 
@@ -116,7 +117,8 @@ std::optional<std::string> kind_if_no_rawlog(const std::string& path)
 
 struct RawlogReader::State
 {
-    State(std::string file, std::uint64_t bytes) : path(std::move(file)), size(bytes), archive(path)
+    State(std::string file, std::uint64_t bytes, std::size_t max_entry_bytes)
+        : path(std::move(file)), size(bytes), process(path, max_entry_bytes)
     {
     }
 
@@ -126,9 +128,10 @@ struct RawlogReader::State
 
     std::string path;
     std::uint64_t size;
-    GzReader archive;
+    EntryProcess process;
     std::deque<RawlogEntry> pending;
     std::size_t entries = 0;
+    bool has_ended = false;
     std::optional<TruncatedRawlog> failure;
 };
 
@@ -136,16 +139,19 @@ struct RawlogReader::State
 bool RawlogReader::State::read_entry()
 {
     if (failure) throw TruncatedRawlog(*failure);
+    if (has_ended) return false;
+    auto next = process.next();
+    if (next.kind == EntryMessageKind::failure) fail(next.reason);
+    has_ended = next.kind == EntryMessageKind::end;
+    if (has_ended) return false;
     CSerializable::Ptr object;
     try
     {
-        if (archive.at_end()) return false;
-        object = archive.ReadObject();
+        object = next.bytes.ReadObject();
     }
-    // MRPT asserts with logic_error, and a damaged length may be more than there is memory.
-    catch (const std::exception& error)
+    catch (const std::exception& error)  // less memory than there was in the process
     {
-        fail(archive.failure().empty() ? mrpt_reason(error) : archive.failure());
+        fail(mrpt_reason(error));
     }
     unpack(object);
     ++entries;
@@ -159,14 +165,13 @@ void RawlogReader::State::unpack(const CSerializable::Ptr& object)
     else if (auto actions = std::dynamic_pointer_cast<mrpt::obs::CActionCollection>(object))
         pending.push_back({nullptr, std::move(actions)});
     else if (const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(object))
-        for (const auto& each : *frame) pending.push_back({each, nullptr});
-    else if (const auto rawlog = std::dynamic_pointer_cast<mrpt::obs::CRawlog>(object))
-        for (std::size_t i = 0; i < rawlog->size(); ++i) unpack(rawlog->getAsGeneric(i));
+        for (const auto& each : *frame)
+            if (each) pending.push_back({each, nullptr});
 }
 
 void RawlogReader::State::fail(const std::string& reason)
 {
-    const auto position = archive.stored_bytes_read();
+    const auto position = process.stored_bytes_read();
     failure.emplace("rawlog " + path + " is cut off or damaged after " + std::to_string(entries) +
                         " entries, near byte " + std::to_string(position) + " of " +
                         std::to_string(size) + ": " + reason +
@@ -176,7 +181,7 @@ void RawlogReader::State::fail(const std::string& reason)
     throw TruncatedRawlog(*failure);
 }
 
-RawlogReader::RawlogReader(const std::string& path)
+RawlogReader::RawlogReader(const std::string& path, int max_entry_megabytes)
 {
     mrpt::maps::registerAllClasses_mrpt_maps();  // CObservationPointCloud and others live there
     namespace fs = std::filesystem;
@@ -190,7 +195,9 @@ RawlogReader::RawlogReader(const std::string& path)
     if (size == 0) throw std::runtime_error("rawlog " + path + " is empty (0 bytes)" + hint);
     const auto kind = kind_if_no_rawlog(path);
     if (kind) throw std::runtime_error(path + " is no rawlog" + *kind + hint);
-    state_ = std::make_unique<State>(path, size);
+    const GzReader can_be_read(path);
+    state_ =
+        std::make_unique<State>(path, size, static_cast<std::size_t>(max_entry_megabytes) << 20U);
 }
 
 RawlogReader::~RawlogReader() = default;
@@ -213,7 +220,7 @@ mrpt::obs::CObservation::Ptr RawlogReader::next()
 
 double RawlogReader::fraction_read() const
 {
-    const auto share = static_cast<double>(state_->archive.stored_bytes_read()) /
+    const auto share = static_cast<double>(state_->process.stored_bytes_read()) /
                        static_cast<double>(state_->size);
     return std::min(1.0, share);
 }

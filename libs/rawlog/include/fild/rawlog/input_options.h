@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fild/core/options.h"
+#include "fild/rawlog/rawlog_reader.h"
 
 #include <string>
 
@@ -29,6 +30,8 @@ struct TInputOptions : Options
     /** `fx fy cx cy width height [k1 k2 p1 p2 [k3]]` in pixels, instead of the calibration the
      *  observations carry. Empty: the observations'. */
     std::string camera_parameters;
+    /** Memory that one entry of a rawlog may take, see RawlogReader. */
+    int max_entry_megabytes = kDefaultMaxEntryMegabytes;
 
  protected:
     void describe(OptionVisitor& visitor) override;

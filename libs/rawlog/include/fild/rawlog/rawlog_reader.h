@@ -15,8 +15,10 @@ class CObservation;
 
 namespace fild
 {
-/** A rawlog that stops in the middle: it was cut off, is damaged, or holds a class of object that
- *  is not known here and so cannot be stepped over. All that next() gave before is good. */
+constexpr int kDefaultMaxEntryMegabytes = 256;
+
+/** A rawlog that stops in the middle: it was cut off, is damaged, has an entry larger than allowed,
+ *  or holds a class of object that is not known here and so cannot be stepped over. All that next() gave before is good. */
 class TruncatedRawlog : public std::runtime_error
 {
  public:
@@ -40,15 +42,23 @@ struct RawlogEntry
 
 /** Reads the observations of a rawlog one after the other, in the order of the file, holding only
  *  one entry in memory. Plain or gzipped; made of observations, or of actions and sensory frames
- *  (whose observations come in their order), or one serialized mrpt::obs::CRawlog, which alone is
- *  loaded whole. Deterministic.
+ *  (whose observations come in their order), or serialized mrpt::obs::CRawlog. Deterministic.
+ *
+ *  MRPT trusts the sizes in a file: one flipped bit can end the process, or take all its memory. So
+ *  a process of its own, a fork of this one, makes objects of each entry first, with little memory
+ *  and 10 s of computing time; only the bytes of an entry that passes come here. As after any fork,
+ *  locks that other threads hold at that moment stay locked in it: a program with threads should
+ *  make its readers before them. The process ends with the reader. It leaves a SIGCHLD.
  *  Not thread-safe: one caller at a time. */
 class RawlogReader
 {
  public:
-    /** \throw std::runtime_error naming the path when there is no such file, when it is empty, or
+    /** \param max_entry_megabytes  memory that one entry may take, unpacked (2^20 bytes, > 0): one
+     *  that takes more is bad. Reading takes up to three times that for a moment.
+     *  \throw std::runtime_error naming the path when there is no such file, when it is empty, or
      *         when it does not begin like a rawlog (and then what it seems to be). */
-    explicit RawlogReader(const std::string& path);
+    explicit RawlogReader(const std::string& path,
+                          int max_entry_megabytes = kDefaultMaxEntryMegabytes);
     RawlogReader(const RawlogReader&) = delete;
     RawlogReader& operator=(const RawlogReader&) = delete;
     ~RawlogReader();

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <sys/types.h>
+
+namespace fild
+{
+/** How much a trial may take. */
+struct TrialLimits
+{
+    std::size_t bytes = 0;  ///< of memory, beyond what the process has when it begins
+    int seconds = 0;  ///< of computing, not of waiting
+};
+
+/** To be called first in a fork that tries what may crash it: no files but `kept_descriptor`, which
+ *  becomes the number that is returned, nothing printed, none of the program's signal handlers, no
+ *  core file. It does not end by the signals that ask the program to. */
+int become_trial_process(int kept_descriptor);
+
+/** Bounds the memory that this process takes from now on: more is refused by the system. */
+void limit_memory(std::size_t more_bytes);
+
+/** The system ends this process when it computes for longer from now on. A later call begins anew. */
+void limit_computing(int seconds);
+
+/** Waits for a child process. \return what ended it, such as "signal 11"; empty: it ended by itself,
+ *  with status 0. */
+std::string reason_of_end(pid_t process);
+
+/** Does in a fork of this process what may crash it, or take all its memory, on a bad file: for code
+ *  of others that trusts what it reads. As after any fork, locks that other threads hold at that
+ *  moment stay locked in it.
+ *  \param task  its exceptions count as success, except when memory is out: here it will throw the
+ *  same, to a caller who can say more of it.
+ *  \return why the task must not be done here; empty: it may be.
+ *  \throw std::runtime_error when no process can be started. */
+std::string crash_in_trial(const std::function<void()>& task, const TrialLimits& limits);
+
+}  // namespace fild

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/core/trial_process.h"
+
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <exception>
+#include <fcntl.h>
+#include <fstream>
+#include <new>
+#include <stdexcept>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace fild
+{
+namespace
+{
+constexpr int kKeptDescriptor = 3;  // the first number behind the standard streams
+constexpr int kOutOfMemory = 3;  // exit status
+
+void set_signals()
+{
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTRAP, SIGSYS})
+        std::signal(signal, SIG_DFL);
+    // It ends with the process that started it, which is asked by the same signals.
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE})
+        std::signal(signal, SIG_IGN);
+    sigset_t none;
+    sigemptyset(&none);
+    pthread_sigmask(SIG_SETMASK, &none, nullptr);
+}
+
+void set_limit(__rlimit_resource resource, rlim_t value)
+{
+    rlimit limit{};
+    if (getrlimit(resource, &limit) != 0) return;
+    limit.rlim_cur = std::min(value, limit.rlim_max);
+    setrlimit(resource, &limit);
+}
+
+/** Memory of its own that this process may write to; 0 when the system does not tell. */
+std::size_t data_bytes()
+{
+    std::ifstream statistics("/proc/self/statm");
+    std::array<std::size_t, 6> pages{};
+    for (auto& each : pages) statistics >> each;
+    return statistics ? pages[5] * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/** Exit status of a task. */
+int status_of(const std::function<void()>& task)
+{
+    try
+    {
+        task();
+    }
+    catch (const std::bad_alloc&)
+    {
+        return kOutOfMemory;
+    }
+    catch (const cv::Exception& error)
+    {
+        return error.code == cv::Error::StsNoMem ? kOutOfMemory : 0;
+    }
+    catch (const std::exception&)
+    {
+        return 0;
+    }
+    return 0;
+}
+
+[[noreturn]] void try_task(const std::function<void()>& task, const TrialLimits& limits)
+{
+    become_trial_process(STDERR_FILENO);
+    limit_memory(limits.bytes);
+    limit_computing(limits.seconds);
+    _exit(status_of(task));  // not the program's destructors
+}
+}  // namespace
+
+int become_trial_process(int kept_descriptor)
+{
+    set_signals();
+    set_limit(RLIMIT_CORE, 0);
+    // Locks and pipes of the program are let go.
+    if (kept_descriptor != kKeptDescriptor) ::dup2(kept_descriptor, kKeptDescriptor);
+    const int nothing = ::open("/dev/null", O_RDWR);
+    for (int stream = 0; stream < kKeptDescriptor; ++stream) ::dup2(nothing, stream);
+    ::closefrom(kKeptDescriptor + 1);
+    return kKeptDescriptor;
+}
+
+void limit_memory(std::size_t more_bytes)
+{
+    rlimit limit{};
+    if (getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    if (const auto used = data_bytes(); used > 0)
+        set_limit(RLIMIT_DATA, std::min<rlim_t>(limit.rlim_cur, used + more_bytes));
+}
+
+void limit_computing(int seconds)
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto used = usage.ru_utime.tv_sec + usage.ru_stime.tv_sec;
+    set_limit(RLIMIT_CPU, static_cast<rlim_t>(used + seconds));
+}
+
+std::string reason_of_end(pid_t process)
+{
+    int status = 0;
+    pid_t ended = -1;
+    do ended = ::waitpid(process, &status, 0);
+    while (ended < 0 && errno == EINTR);
+    if (ended != process) return "an unknown reason";  // the program around us waits for all
+    if (WIFEXITED(status))
+        return WEXITSTATUS(status) == 0 ? "" : "status " + std::to_string(WEXITSTATUS(status));
+    if (WTERMSIG(status) == SIGXCPU) return "too long computing";
+    return "signal " + std::to_string(WTERMSIG(status));
+}
+
+std::string crash_in_trial(const std::function<void()>& task, const TrialLimits& limits)
+{
+    const auto process = ::fork();
+    if (process < 0)
+        throw std::runtime_error("cannot start a process that tries a file: " +
+                                 std::generic_category().message(errno));
+    if (process == 0) try_task(task, limits);
+    auto reason = reason_of_end(process);
+    if (reason == "status " + std::to_string(kOutOfMemory))
+        return "more than " + std::to_string(limits.bytes >> 20U) + " MB of memory";
+    return reason;
+}
+
+}  // namespace fild

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "entry_process.h"
+
+#include "entry_sender.h"
+#include "fild/core/trial_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <fcntl.h>
+#include <stdexcept>
+#include <system_error>
+#include <unistd.h>
+
+namespace fild
+{
+namespace
+{
+/** Room for an entry or two, so that neither process waits for the other within one. */
+constexpr int kPipeBytes = 1 << 20;
+
+[[noreturn]] void run_sender(const std::string& rawlog, std::size_t max_entry_bytes, int pipe)
+{
+    const int kept = become_trial_process(pipe);
+    try
+    {
+        send_entries(rawlog, max_entry_bytes, kept);
+    }
+    catch (const std::exception&)
+    {
+        _exit(1);
+    }
+    _exit(0);  // not the program's destructors
+}
+
+[[noreturn]] void cannot_start(int error_number)
+{
+    throw std::runtime_error("cannot start the process that reads the rawlog: " +
+                             std::generic_category().message(error_number));
+}
+}  // namespace
+
+std::size_t EntryBytes::read(void* target, std::size_t count)
+{
+    for (std::size_t done = 0; done < count;)
+    {
+        if (parts_.empty()) throw std::runtime_error("the entry ends before its end");
+        const auto& first = parts_.front();
+        const auto part = std::min(count - done, first.size() - read_of_first_);
+        std::memcpy(static_cast<char*>(target) + done, first.data() + read_of_first_, part);
+        done += part;
+        read_of_first_ += part;
+        if (read_of_first_ < first.size()) continue;
+        parts_.pop_front();
+        read_of_first_ = 0;
+    }
+    return count;
+}
+
+std::size_t EntryBytes::write(const void*, std::size_t)
+{
+    throw std::logic_error("EntryBytes does not write");
+}
+
+EntryProcess::EntryProcess(const std::string& rawlog, std::size_t max_entry_bytes)
+{
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) cannot_start(errno);
+    ::fcntl(ends[1], F_SETPIPE_SZ, kPipeBytes);  // where it is refused, the pipe is smaller
+    process_ = ::fork();
+    if (process_ == 0) run_sender(rawlog, max_entry_bytes, ends[1]);
+    const int error_number = errno;
+    ::close(ends[1]);
+    pipe_ = ends[0];
+    if (process_ > 0) return;
+    ::close(pipe_);
+    cannot_start(error_number);
+}
+
+EntryProcess::~EntryProcess()
+{
+    ::close(pipe_);
+    if (process_ <= 0) return;
+    ::kill(process_, SIGKILL);
+    reason_of_its_end();
+}
+
+NextEntry EntryProcess::next()
+{
+    NextEntry next;
+    EntryMessageHeader header;
+    while (receive(&header, sizeof(header)) && header.length <= kMaxMessageBytes)
+    {
+        std::string content(header.length, '\0');
+        if (!receive(content.data(), content.size())) break;
+        stored_bytes_read_ = header.stored_bytes_read;
+        next.kind = header.kind;
+        if (header.kind == EntryMessageKind::failure) next.reason = content;
+        if (header.kind != EntryMessageKind::bytes) return next;
+        next.bytes.append(std::move(content));
+    }
+    next.kind = EntryMessageKind::failure;
+    next.reason = reason_of_its_end();
+    return next;
+}
+
+bool EntryProcess::receive(void* target, std::size_t count) const
+{
+    for (std::size_t done = 0; done < count;)
+    {
+        const auto got = ::read(pipe_, static_cast<char*>(target) + done, count - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return false;
+        done += static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
+std::string EntryProcess::reason_of_its_end()
+{
+    const auto reason = reason_of_end(process_);
+    process_ = -1;
+    if (reason.empty()) return "the process that reads it ended";
+    return "reading an entry ended in " + reason + ", as with sizes that are wrong";
+}
+
+}  // namespace fild

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "entry_message.h"
+
+#include <mrpt/serialization/CArchive.h>
+
+#include <deque>
+#include <string>
+#include <sys/types.h>
+
+namespace fild
+{
+/** The bytes of one entry; what was read is freed. Not thread-safe: one caller at a time. */
+class EntryBytes : public mrpt::serialization::CArchive
+{
+ public:
+    void append(std::string part) { parts_.push_back(std::move(part)); }
+
+ private:
+    std::size_t read(void* target, std::size_t count) override;
+    std::size_t write(const void* source, std::size_t count) override;
+
+    std::deque<std::string> parts_;
+    std::size_t read_of_first_ = 0;
+};
+
+/** What follows in a rawlog. */
+struct NextEntry
+{
+    EntryMessageKind kind = EntryMessageKind::end;  ///< entry, end or failure
+    EntryBytes bytes;  ///< of an entry
+    std::string reason;  ///< of a failure, in one line
+};
+
+/** A process that tries each entry of a rawlog before it is let in here: see send_entries(). It is
+ *  a fork of this one that ends when this object does, or when this process does, however that
+ *  ends; it has none of its open files and no terminal.
+ *  Not thread-safe: one caller at a time. */
+class EntryProcess
+{
+ public:
+    /** \throw std::runtime_error when no process can be started. */
+    EntryProcess(const std::string& rawlog, std::size_t max_entry_bytes);
+    EntryProcess(const EntryProcess&) = delete;
+    EntryProcess& operator=(const EntryProcess&) = delete;
+    ~EntryProcess();
+
+    /** Waits for the next entry, the end, or the first failure, after which nothing follows. */
+    NextEntry next();
+
+    /** Bytes of the file, as stored, consumed up to the entry that next() gave last. */
+    std::uint64_t stored_bytes_read() const { return stored_bytes_read_; }
+
+ private:
+    bool receive(void* target, std::size_t count) const;
+    std::string reason_of_its_end();
+
+    int pipe_ = -1;
+    pid_t process_ = -1;
+    std::uint64_t stored_bytes_read_ = 0;
+};
+
+}  // namespace fild

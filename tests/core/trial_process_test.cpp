@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/core/trial_process.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr fild::TrialLimits kLimits{std::size_t{64} << 20U, 1};
+
+std::string crash_of(const std::function<void()>& task)
+{
+    return fild::crash_in_trial(task, kLimits);
+}
+
+TEST(CrashInTrial, IsNoneWhenTheTaskEndsOrThrows)
+{
+    EXPECT_EQ(crash_of([] {}), "");
+    EXPECT_EQ(crash_of([] { throw std::runtime_error("refused"); }), "");
+}
+
+TEST(CrashInTrial, NamesTheSignal)
+{
+    EXPECT_EQ(crash_of([] { std::raise(SIGSEGV); }), "signal " + std::to_string(SIGSEGV));
+}
+
+TEST(CrashInTrial, BoundsMemory)
+{
+    const auto take = [](std::size_t megabytes)
+    { return [=] { std::vector<char>(megabytes << 20U, 'a').swap(*new std::vector<char>); }; };
+    EXPECT_EQ(crash_of(take(16)), "");
+    EXPECT_EQ(crash_of(take(100)), "more than 64 MB of memory");
+}
+
+TEST(CrashInTrial, BoundsComputing)
+{
+    EXPECT_EQ(crash_of(
+                  []
+                  {
+                      for (volatile bool on = true; on;) continue;
+                  }),
+              "too long computing");
+}
+
+TEST(CrashInTrial, ChangesNothingHere)
+{
+    int value = 1;
+    EXPECT_EQ(crash_of([&] { value = 2; }), "");
+    EXPECT_EQ(value, 1);
+}
+
+}  // namespace
