@@ -18,7 +18,8 @@ KeypointShape shape_of(const Keypoint& keypoint)
             static_cast<std::uint8_t>(angle & (KeypointShape::kStepsPerTurn - 1))};
 }
 
-#ifdef __x86_64__
+// GCC 12 calls the thread sanitizer before it is there when it chooses a clone.
+#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
 __attribute__((target_clones("default", "popcnt")))
 #endif
 int hamming_distance(const std::uint64_t* a, const std::uint64_t* b, std::size_t words)

@@ -24,6 +24,12 @@ namespace
 constexpr int kKeptDescriptor = 3;  // the first number behind the standard streams
 constexpr int kOutOfMemory = 3;  // exit status
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kHasSanitizer = true;  // its own memory would count
+#else
+constexpr bool kHasSanitizer = false;
+#endif
+
 void set_signals()
 {
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTRAP, SIGSYS})
@@ -98,6 +104,7 @@ int become_trial_process(int kept_descriptor)
 
 void limit_memory(std::size_t more_bytes)
 {
+    if (kHasSanitizer) return;
     rlimit limit{};
     if (getrlimit(RLIMIT_DATA, &limit) != 0) return;
     if (const auto used = data_bytes(); used > 0)

@@ -20,7 +20,8 @@ struct TrialLimits
  *  core file. It does not end by the signals that ask the program to. */
 int become_trial_process(int kept_descriptor);
 
-/** Bounds the memory that this process takes from now on: more is refused by the system. */
+/** Bounds the memory that this process takes from now on: more is refused by the system.
+ *  Does nothing with the sanitizers. */
 void limit_memory(std::size_t more_bytes);
 
 /** The system ends this process when it computes for longer from now on. A later call begins anew. */
