@@ -7,7 +7,7 @@
 
 FOLDER holds the sweep_pairs.csv of `loop-closure-eval --rawlog ... --output FOLDER`. Wrong pairs of the
 --look-alikes sets with 20 inliers or more teach what look-alikes are, all other wrong pairs what chance
-does. Each set counts as much as any other, --rendered ones half; --without leaves one out.
+does. Each set counts as much as any other, --rendered ones three quarters; --without leaves one out.
 --as-overrides prints arguments for --set instead."""
 
 import argparse
@@ -139,7 +139,7 @@ def main():
     rendered = options.rendered.split(",")
 
     def weight(name):
-        return 0.5 if name in rendered else 1.0
+        return 0.75 if name in rendered else 1.0
 
     fitted = [*lines("chance_", *fit_chance(sets, look_alikes, weight)),
               *lines("look_alike_", *fit_look_alikes(sets, look_alikes, weight))]

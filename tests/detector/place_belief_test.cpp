@@ -63,6 +63,20 @@ TEST(PlaceBelief, BelievesAFrameOfDoubtInsideAReturnButNotInNowhere)
     EXPECT_LT(belief_of(100).update(seen_at(15, doubt)), 0.3);
 }
 
+TEST(PlaceBelief, DoubtsAJumpToAFarPlaceButNotANearOne)
+{
+    const PairOdds without_a_word_on_look_alikes{4, 0};
+    const auto belief_after_jump_to = [&](std::uint64_t place)
+    {
+        auto belief = belief_of(100);
+        for (std::uint64_t i = 0; i < 5; ++i) belief.update(seen_at(10 + i, {8, 5}));
+        belief.update(seen_at(place, without_a_word_on_look_alikes));
+        return belief.update(seen_at(place, without_a_word_on_look_alikes));
+    };
+    EXPECT_GT(belief_after_jump_to(30), 0.95);
+    EXPECT_LT(belief_after_jump_to(70), 0.6);
+}
+
 TEST(PlaceBelief, FollowsThePathBackwardToo)
 {
     auto belief = belief_of(100);

@@ -22,6 +22,7 @@ void TConsistencyOptions::describe(OptionVisitor& visitor)
     visitor.real("look_alike_share", look_alike_share, 0, 0.99);
     visitor.real("leave_probability", leave_probability, 1e-6, 0.5);
     visitor.real("jump_probability", jump_probability, 1e-6, 0.49);
+    visitor.integer("near_places", near_places, 0, 100000);
     visitor.integer("place_step", place_step, 0, 1000);
     visitor.real("look_alike_weight", look_alike_weight, 0, 1);
     visitor.integer("consecutive_frames", consecutive_frames, 1, 1000);

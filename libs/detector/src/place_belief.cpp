@@ -16,19 +16,29 @@ constexpr double kWorthALook = 0.2;  // probability to be at a place of the map
 constexpr int kReach = 3;  // places on either side of a compared one to which its evidence applies
 constexpr double kLossPerPlace = 0.3;  // of the log-likelihood ratio, with the distance
 
+/** Sums of the first 0, 1, ... values. */
+std::vector<double> running_sums(const std::vector<double>& values)
+{
+    std::vector<double> sums(values.size() + 1, 0);
+    std::partial_sum(values.begin(), values.end(), sums.begin() + 1);
+    return sums;
+}
+
+/** Of the values within `reach` of the i-th on either side. */
+double sum_around(const std::vector<double>& sums, std::size_t i, int reach)
+{
+    const auto step = static_cast<std::size_t>(reach);
+    const auto end = std::min(sums.size() - 1, i + step + 1);
+    return sums[end] - sums[i < step ? 0 : i - step];
+}
+
 /** Each place's belief spread evenly over those up to `step` before and after it. */
 std::vector<double> spread(const std::vector<double>& belief, int step)
 {
-    const auto reach = static_cast<std::size_t>(step);
-    std::vector<double> sums(belief.size() + 1, 0);
-    std::partial_sum(belief.begin(), belief.end(), sums.begin() + 1);
+    const auto sums = running_sums(belief);
     std::vector<double> moved(belief.size());
     for (std::size_t i = 0; i < belief.size(); ++i)
-    {
-        const auto first = i < reach ? 0 : i - reach;
-        const auto end = std::min(belief.size(), i + reach + 1);
-        moved[i] = (sums[end] - sums[first]) / static_cast<double>(2 * reach + 1);
-    }
+        moved[i] = sum_around(sums, i, step) / (2 * step + 1);
     return moved;
 }
 
@@ -67,6 +77,7 @@ void PlaceBelief::move(const std::vector<std::size_t>& entrances)
     auto look_alike = spread(at_.look_alike, options_.place_step);
     const double all_same = sum_of(same);
     const double all_look_alike = sum_of(look_alike);
+    const auto sums_of_same = running_sums(same);
     const double jump = entrances.empty() ? 0 : options_.jump_probability;
     const double entering = entrances.empty() ? 0 : options_.return_probability * new_ground_;
     const double stay = 1 - options_.leave_probability - jump;
@@ -75,8 +86,11 @@ void PlaceBelief::move(const std::vector<std::size_t>& entrances)
     for (const auto i : entrances)
     {
         const auto share = 1 / static_cast<double>(entrances.size());
-        same[i] += share * ((1 - options_.look_alike_share) * entering + jump * all_same);
-        look_alike[i] += share * (options_.look_alike_share * entering + jump * all_look_alike);
+        // Who jumps from far away may land at a look-alike, as who comes from new ground.
+        const double from_near = sum_around(sums_of_same, i, options_.near_places);
+        const double from_far = entering + jump * std::max(0.0, all_same - from_near);
+        same[i] += share * ((1 - options_.look_alike_share) * from_far + jump * from_near);
+        look_alike[i] += share * (options_.look_alike_share * from_far + jump * all_look_alike);
     }
     new_ground_ += options_.leave_probability * (all_same + all_look_alike) - entering;
     at_ = {std::move(same), std::move(look_alike)};

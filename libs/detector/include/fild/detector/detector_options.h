@@ -47,14 +47,17 @@ struct TConsistencyOptions : Options
     /** A pair that alone is less probable than this is rejected, whatever the belief. */
     double min_pair_probability = 0.1;
     double return_probability = 0.2;  ///< per frame: a camera on new ground returns
-    double look_alike_share = 0.6;  ///< share of apparent returns that are look-alikes
+    double look_alike_share = 0.7;  ///< share of apparent returns that are look-alikes
     double leave_probability = 0.01;  ///< per frame: it leaves the known places again
     double jump_probability = 0.05;  ///< per frame: its next place is not near the last one
+    /** A jump over more places of the earlier path than these may end at a look-alike, in
+     *  look_alike_share of all cases. */
+    int near_places = 40;
     /** Largest number of places moved along the earlier path per frame, forward or backward. */
     int place_step = 3;
     /** Weight of a frame's evidence for or against a look-alike. Below 1, because look-alikes come
      *  in rows. */
-    double look_alike_weight = 1;
+    double look_alike_weight = 0.85;
     int consecutive_frames = 2;  ///< beta: so many verified frames in a row, the last is accepted
     /** Their candidates must follow one another within this many seconds of the recording, so that
      * a row cannot be made of different wrong places. 0: any candidates, as in the paper. */
