@@ -74,10 +74,21 @@ class Browser:
     def text(self):
         return self.element("body").text
 
+    def show(self, panel):
+        """Scrolls to an element, and waits until what still moves the page has ended."""
+        def stands_in_the_middle():
+            self.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", panel)
+            return self.driver.execute_async_script("""
+                const [panel, done] = arguments;
+                const top = () => panel.getBoundingClientRect().top;
+                const before = top();
+                setTimeout(() => done(top() === before), 100);""", panel)
+        WebDriverWait(self.driver, 60).until(lambda _: stands_in_the_middle())
+
     def point_at(self, selector, x, y):
         """Moves the mouse to a pixel of an element, counted from its upper left corner."""
         panel = self.element(selector)
-        self.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", panel)
+        self.show(panel)
         size = panel.size
         ActionChains(self.driver).move_to_element_with_offset(
             panel, round(x - size["width"] / 2), round(y - size["height"] / 2)).perform()
@@ -92,7 +103,7 @@ class Browser:
     def turn_wheel(self, selector, pixels, with_ctrl=False):
         """In the middle of an element; pixels > 0: towards the end of the page."""
         panel = self.element(selector)
-        self.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", panel)
+        self.show(panel)
         actions = ActionChains(self.driver)
         if with_ctrl:
             actions.key_down(Keys.CONTROL)
@@ -107,7 +118,7 @@ class Browser:
     def swipe_up(self, selector, pixels=300):
         """One finger in the middle of an element; returns how far the page scrolled."""
         panel = self.element(selector)
-        self.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", panel)
+        self.show(panel)
         x, y, before = self.run("const box = arguments[0].getBoundingClientRect();"
                                 "return [box.x + box.width / 2, box.y + box.height / 2, window.scrollY]", panel)
         touch = lambda kind, points: self.driver.execute_cdp_cmd(

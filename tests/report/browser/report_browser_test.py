@@ -178,7 +178,7 @@ class Report(PageTest):
         for chart in charts:
             with self.subTest(chart):
                 selector = "#" + chart
-                self.browser.run("byId(arguments[0]).scrollIntoView({block: 'center', behavior: 'instant'})", chart)
+                self.browser.show(self.browser.element(selector))
                 before = self.browser.run("return window.scrollY")
                 self.browser.turn_wheel(selector, -200)
                 self.browser.wait_for(f"return window.scrollY < {before} - 100")
@@ -258,7 +258,7 @@ class Report(PageTest):
                 before = self.browser.run(widths)
                 buttons = self.browser.driver.find_elements("css selector", "#frames tbody td button")
                 for button in buttons[:2]:
-                    self.browser.run("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", button)
+                    self.browser.show(button)
                     button.click()  # as the mouse does: what covers it would be named
                 self.browser.wait_for("return document.querySelectorAll('#frames figure img').length === 2")
                 self.assertEqual(self.browser.run(widths), before)
