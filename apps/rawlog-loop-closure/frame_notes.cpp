@@ -80,7 +80,8 @@ std::vector<std::string> notes_on_frames(const Gathered& gathered,
         notes.push_back("only " + std::to_string(usable) + " of " +
                         std::to_string(summary.camera_frames) +
                         " frames could be used: " + unusable_by_reason(summary));
-    if (usable > 1 && count_of(summary, Rejection::too_early) == usable)
+    const bool was_read_to_its_end = summary.ended_early.empty();
+    if (was_read_to_its_end && usable > 1 && count_of(summary, Rejection::too_early) == usable)
         notes.push_back(why_all_are_early(gathered.verdicts, delay));
     return notes;
 }

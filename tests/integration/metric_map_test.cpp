@@ -407,7 +407,8 @@ TEST_F(MetricMapPictures, AreComparedWithTheTruth)
 
     fild::testing::write_text(path("loops.txt"), "8 0\n9 1\n10 3\n");
     const auto labelled = run("--ground-truth '" + path("loops.txt") + "'");
-    EXPECT_THAT(labelled.out, HasSubstr("6 wrong loops, precision 0.250, recall 0.667"));
+    EXPECT_THAT(labelled.out,
+                HasSubstr("2 right, 6 wrong, 0 doubtful, 1 missed, precision 0.250, recall 0.667"));
 }
 
 TEST_F(MetricMap, IsKeptWhenTheTruthCannotBeRead)

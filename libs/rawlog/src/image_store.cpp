@@ -116,7 +116,8 @@ Levels levels_of(const cv::Mat& image)
 {
     constexpr std::size_t kLeftOut = 1000;
     std::vector<std::size_t> counts(65536);
-    const auto row_length = static_cast<std::size_t>(image.cols * image.channels());
+    const auto row_length =
+        static_cast<std::size_t>(image.cols) * static_cast<std::size_t>(image.channels());
     for (int y = 0; y < image.rows; ++y)
     {
         const auto* row = image.ptr<std::uint16_t>(y);
