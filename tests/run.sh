@@ -34,7 +34,7 @@ ctest --preset dev --parallel 2
 step "build and tests but the longest (preset asan)"
 cmake --preset asan > /dev/null
 cmake --build --preset asan --target unit_tests integration_tests
-ctest --preset asan --parallel 2 --label-exclude "dataset|browser|scripts" --exclude-regex \
+ctest --preset asan --parallel 2 --label-exclude "dataset|browser|scripts|fuzz|kill" --exclude-regex \
   '^(metric_pose_test|town_view_test|metric_map_test\..*|graph_drive_test\..*|synthetic_rawlog_test\..*)$'
 
 step "done"
