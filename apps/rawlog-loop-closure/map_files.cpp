@@ -25,7 +25,8 @@ class FrameObservations
 {
  public:
     explicit FrameObservations(const MappedRawlog& rawlog)
-        : reader_(rawlog.path, rawlog.input.max_entry_megabytes), builder_(rawlog.input, rawlog.path)
+        : reader_(rawlog.path, rawlog.input.max_entry_megabytes),
+          builder_(rawlog.input, rawlog.path)
     {
     }
 
