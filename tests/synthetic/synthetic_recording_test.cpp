@@ -513,12 +513,7 @@ std::map<std::string, std::string> files_made_with(std::size_t helpers, SensorKi
                               draw,
                               nullptr,
                               {helpers, [] { return fild::DrawView(draw); }});
-    std::map<std::string, std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
-        if (entry.is_regular_file())
-            files[fs::relative(entry.path(), folder.path()).string()] =
-                read_text(entry.path().string());
-    return files;
+    return contents(folder);
 }
 
 TEST(SyntheticRecording, IsTheSameHoweverManyThreadsDraw)

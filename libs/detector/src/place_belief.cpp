@@ -75,9 +75,9 @@ void PlaceBelief::move(const std::vector<std::size_t>& entrances)
 {
     auto same = spread(at_.same, options_.place_step);
     auto look_alike = spread(at_.look_alike, options_.place_step);
-    const double all_same = sum_of(same);
-    const double all_look_alike = sum_of(look_alike);
     const auto sums_of_same = running_sums(same);
+    const double all_same = sums_of_same.back();
+    const double all_look_alike = sum_of(look_alike);
     const double jump = entrances.empty() ? 0 : options_.jump_probability;
     const double entering = entrances.empty() ? 0 : options_.return_probability * new_ground_;
     const double stay = 1 - options_.leave_probability - jump;
@@ -86,7 +86,7 @@ void PlaceBelief::move(const std::vector<std::size_t>& entrances)
     for (const auto i : entrances)
     {
         const auto share = 1 / static_cast<double>(entrances.size());
-        // Who jumps from far away may land at a look-alike, as who comes from new ground.
+        // A jump from far away may end at a look-alike, just as a return from new ground may.
         const double from_near = sum_around(sums_of_same, i, options_.near_places);
         const double from_far = entering + jump * std::max(0.0, all_same - from_near);
         same[i] += share * ((1 - options_.look_alike_share) * from_far + jump * from_near);

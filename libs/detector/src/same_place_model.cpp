@@ -64,7 +64,7 @@ double log_likelihood_ratio(const EvidenceWeights& weights,
     return sum;
 }
 
-/** How far shares among so many inliers can be trusted to tell a look-alike, 0 to 1. */
+/** How much the shares among so many inliers tell of look-alikes, from 0 to 1. */
 double trust_in_shares(std::size_t inliers)
 {
     const double beyond = static_cast<double>(inliers) - kInliersThatSayNothing;

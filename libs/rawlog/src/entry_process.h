@@ -33,9 +33,9 @@ struct NextEntry
     std::string reason;  ///< of a failure, in one line
 };
 
-/** A process that tries each entry of a rawlog before it is let in here: see send_entries(). It is
- *  a fork of this one that ends when this object does, or when this process does, however that
- *  ends; it has none of its open files and no terminal.
+/** A process that tries each entry of a rawlog before it is let in here: see send_entries(). It is a
+ *  fork of this one, without its open files and its terminal. It ends with this object, or with this
+ *  process, whichever way that ends.
  *  Not thread-safe: one caller at a time. */
 class EntryProcess
 {

@@ -31,8 +31,8 @@ void limit_computing(int seconds);
  *  with status 0. */
 std::string reason_of_end(pid_t process);
 
-/** Does in a fork of this process what may crash it, or take all its memory, on a bad file: for code
- *  of others that trusts what it reads. As after any fork, locks that other threads hold at that
+/** Runs a task in a fork of this process first, for libraries that crash or take all memory on a bad
+ *  file because they trust what they read. As after any fork, locks that other threads hold at that
  *  moment stay locked in it.
  *  \param task  its exceptions count as success, except when memory is out: here it will throw the
  *  same, to a caller who can say more of it.

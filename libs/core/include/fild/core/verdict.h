@@ -49,7 +49,7 @@ std::string to_word(Rejection rejection);
 /** A phrase for a user: why such a frame is not a loop closure, or what a loop closure is. */
 std::string meaning_of(Rejection rejection);
 
-/** True for a frame that the detector could not look at: its image or time stamp is no good. */
+/** True for a frame that the detector cannot use because of its image or time stamp. */
 bool is_unusable(Rejection rejection);
 
 /** All rejections in order of declaration, `none` first: for counting and for documentation. */
