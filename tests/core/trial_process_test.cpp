@@ -3,14 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <future>
+#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace
 {
-constexpr fild::TrialLimits kLimits{std::size_t{64} << 20U, 1};
+constexpr fild::TrialLimits kLimits{std::size_t{64} << 20U, 1, 1};
 
 std::string crash_of(const std::function<void()>& task)
 {
@@ -47,6 +52,30 @@ TEST(CrashInTrial, BoundsComputing)
                       for (volatile bool on = true; on;) continue;
                   }),
               "too long computing");
+}
+
+TEST(CrashInTrial, BeginsAnewWhenTheForkWaitsForALockOfAnotherThread)
+{
+    std::mutex mutex;
+    std::promise<void> is_locked;
+    std::thread other(
+        [&]
+        {
+            const std::lock_guard lock(mutex);
+            is_locked.set_value();
+            std::this_thread::sleep_for(std::chrono::milliseconds(500));
+        });
+    is_locked.get_future().wait();
+    EXPECT_EQ(fild::crash_in_trial([&] { const std::lock_guard lock(mutex); },
+                                   {std::size_t{64} << 20U, 1, 1}),
+              "");
+    other.join();
+}
+
+TEST(CrashInTrial, EndsATaskThatWaitsWithoutEnd)
+{
+    EXPECT_EQ(fild::crash_in_trial([] { ::pause(); }, {std::size_t{64} << 20U, 1, 1}),
+              "waiting without end");
 }
 
 TEST(CrashInTrial, ChangesNothingHere)

@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <exception>
 #include <fcntl.h>
 #include <fstream>
+#include <iterator>
 #include <new>
+#include <optional>
+#include <poll.h>
+#include <sstream>
 #include <stdexcept>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -23,6 +28,7 @@ namespace
 {
 constexpr int kKeptDescriptor = 3;  // the first number behind the standard streams
 constexpr int kOutOfMemory = 3;  // exit status
+constexpr int kAttempts = 3;  // of a process that waits for a lock nobody holds
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kHasSanitizer = true;  // its own memory would count
@@ -81,12 +87,80 @@ int status_of(const std::function<void()>& task)
     return 0;
 }
 
-[[noreturn]] void try_task(const std::function<void()>& task, const TrialLimits& limits)
+[[noreturn]] void try_task(const std::function<void()>& task, const TrialLimits& limits, int pipe)
 {
-    become_trial_process(STDERR_FILENO);
+    become_trial_process(pipe);
     limit_memory(limits.bytes);
     limit_computing(limits.seconds);
     _exit(status_of(task));  // not the program's destructors
+}
+
+/** What a process has done so far. Value type. */
+struct Activity
+{
+    bool is_waiting = false;  ///< for something other than a disk
+    unsigned long ticks = 0;  ///< of computing
+};
+
+/** None when the system does not tell. */
+std::optional<Activity> activity_of(pid_t process)
+{
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    const auto name_end = text.rfind(')');  // the name may hold anything
+    if (name_end == std::string::npos) return std::nullopt;
+    std::istringstream fields(text.substr(name_end + 1));
+    std::string state;
+    std::string unused;
+    unsigned long user_ticks = 0;
+    unsigned long system_ticks = 0;
+    fields >> state;
+    constexpr int kBetweenStateAndTimes = 10;
+    for (int i = 0; i < kBetweenStateAndTimes; ++i) fields >> unused;
+    if (!(fields >> user_ticks >> system_ticks)) return std::nullopt;
+    return Activity{state == "S", user_ticks + system_ticks};
+}
+
+/** Whether a child that got on as `before` says has not done so since. */
+bool is_idle(const std::optional<Activity>& before, const std::optional<Activity>& now)
+{
+    return before && now && now->is_waiting && now->ticks == before->ticks;
+}
+
+/** A trial that runs, and the pipe that is closed when it ends. Value type. */
+struct Trial
+{
+    pid_t process = -1;
+    int pipe = -1;
+};
+
+Trial start(const std::function<void()>& task, const TrialLimits& limits)
+{
+    const auto cannot_start = [](int error_number)
+    {
+        return std::runtime_error("cannot start a process that tries a file: " +
+                                  std::generic_category().message(error_number));
+    };
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw cannot_start(errno);
+    const auto process = ::fork();
+    if (process == 0) try_task(task, limits, ends[1]);
+    const int error_number = errno;
+    ::close(ends[1]);
+    if (process > 0) return {process, ends[0]};
+    ::close(ends[0]);
+    throw cannot_start(error_number);
+}
+
+/** What ended a trial, as reason_of_end(); none: it did not get on. */
+std::optional<std::string> end_of(const Trial& trial, int idle_seconds)
+{
+    const bool has_ended = wait_for_pipe(trial.pipe, trial.process, idle_seconds);
+    if (!has_ended) ::kill(trial.process, SIGKILL);
+    ::close(trial.pipe);
+    auto reason = reason_of_end(trial.process);
+    if (!has_ended) return std::nullopt;
+    return reason;
 }
 }  // namespace
 
@@ -132,17 +206,35 @@ std::string reason_of_end(pid_t process)
     return "signal " + std::to_string(WTERMSIG(status));
 }
 
+bool wait_for_pipe(int pipe, pid_t process, int idle_seconds)
+{
+    using Clock = std::chrono::steady_clock;
+    constexpr int kLookMilliseconds = 500;
+    std::optional<Activity> last;
+    auto since = Clock::now();
+    for (;;)
+    {
+        pollfd waited{pipe, POLLIN, 0};
+        const int ready = ::poll(&waited, 1, kLookMilliseconds);
+        if (ready > 0 || (ready < 0 && errno != EINTR)) return true;
+        const auto now = activity_of(process);
+        if (!is_idle(last, now)) since = Clock::now();
+        if (Clock::now() - since > std::chrono::seconds(idle_seconds)) return false;
+        last = now;
+    }
+}
+
 std::string crash_in_trial(const std::function<void()>& task, const TrialLimits& limits)
 {
-    const auto process = ::fork();
-    if (process < 0)
-        throw std::runtime_error("cannot start a process that tries a file: " +
-                                 std::generic_category().message(errno));
-    if (process == 0) try_task(task, limits);
-    auto reason = reason_of_end(process);
-    if (reason == "status " + std::to_string(kOutOfMemory))
-        return "more than " + std::to_string(limits.bytes >> 20U) + " MB of memory";
-    return reason;
+    for (int attempt = 0; attempt < kAttempts; ++attempt)
+    {
+        const auto reason = end_of(start(task, limits), limits.idle_seconds);
+        if (!reason) continue;
+        if (*reason == "status " + std::to_string(kOutOfMemory))
+            return "more than " + std::to_string(limits.bytes >> 20U) + " MB of memory";
+        return *reason;
+    }
+    return "waiting without end";
 }
 
 }  // namespace fild

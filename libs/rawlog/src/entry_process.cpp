@@ -21,6 +21,7 @@ namespace
 {
 /** Room for an entry or two, so that neither process waits for the other within one. */
 constexpr int kPipeBytes = 1 << 20;
+constexpr int kAttempts = 3;  // at one entry
 
 [[noreturn]] void run_sender(const std::string& rawlog, std::size_t max_entry_bytes, int pipe)
 {
@@ -65,30 +66,63 @@ std::size_t EntryBytes::write(const void*, std::size_t)
     throw std::logic_error("EntryBytes does not write");
 }
 
-EntryProcess::EntryProcess(const std::string& rawlog, std::size_t max_entry_bytes)
+EntryProcess::EntryProcess(std::string rawlog, std::size_t max_entry_bytes)
+    : rawlog_(std::move(rawlog)), max_entry_bytes_(max_entry_bytes)
+{
+    start();
+}
+
+EntryProcess::~EntryProcess()
+{
+    stop();
+}
+
+void EntryProcess::start()
 {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) cannot_start(errno);
     ::fcntl(ends[1], F_SETPIPE_SZ, kPipeBytes);  // where it is refused, the pipe is smaller
     process_ = ::fork();
-    if (process_ == 0) run_sender(rawlog, max_entry_bytes, ends[1]);
+    if (process_ == 0) run_sender(rawlog_, max_entry_bytes_, ends[1]);
     const int error_number = errno;
     ::close(ends[1]);
     pipe_ = ends[0];
     if (process_ > 0) return;
     ::close(pipe_);
+    pipe_ = -1;
     cannot_start(error_number);
 }
 
-EntryProcess::~EntryProcess()
+void EntryProcess::stop()
 {
     ::close(pipe_);
+    pipe_ = -1;
     if (process_ <= 0) return;
     ::kill(process_, SIGKILL);
     reason_of_its_end();
 }
 
 NextEntry EntryProcess::next()
+{
+    for (int attempt = 0; attempt < kAttempts; ++attempt)
+    {
+        auto next = receive_entry();
+        if (next)
+        {
+            entries_given_ += next->kind == EntryMessageKind::entry ? 1 : 0;
+            return std::move(*next);
+        }
+        stop();
+        start();
+        for (std::size_t i = 0; i < entries_given_ && receive_entry(); ++i) continue;
+    }
+    NextEntry failure;
+    failure.kind = EntryMessageKind::failure;
+    failure.reason = "the process that reads it does not get on";
+    return failure;
+}
+
+std::optional<NextEntry> EntryProcess::receive_entry()
 {
     NextEntry next;
     EntryMessageHeader header;
@@ -102,15 +136,18 @@ NextEntry EntryProcess::next()
         if (header.kind != EntryMessageKind::bytes) return next;
         next.bytes.append(std::move(content));
     }
+    if (is_stuck_) return std::nullopt;
     next.kind = EntryMessageKind::failure;
     next.reason = reason_of_its_end();
     return next;
 }
 
-bool EntryProcess::receive(void* target, std::size_t count) const
+bool EntryProcess::receive(void* target, std::size_t count)
 {
     for (std::size_t done = 0; done < count;)
     {
+        is_stuck_ = !wait_for_pipe(pipe_, process_, kIdleSeconds);
+        if (is_stuck_) return false;
         const auto got = ::read(pipe_, static_cast<char*>(target) + done, count - done);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return false;

@@ -6,6 +6,7 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <sys/types.h>
 
@@ -35,13 +36,14 @@ struct NextEntry
 
 /** A process that tries each entry of a rawlog before it is let in here: see send_entries(). It is a
  *  fork of this one, without its open files and its terminal. It ends with this object, or with this
- *  process, whichever way that ends.
+ *  process, whichever way that ends. When it does nothing (see kIdleSeconds), another takes its place
+ *  at the same entry.
  *  Not thread-safe: one caller at a time. */
 class EntryProcess
 {
  public:
     /** \throw std::runtime_error when no process can be started. */
-    EntryProcess(const std::string& rawlog, std::size_t max_entry_bytes);
+    EntryProcess(std::string rawlog, std::size_t max_entry_bytes);
     EntryProcess(const EntryProcess&) = delete;
     EntryProcess& operator=(const EntryProcess&) = delete;
     ~EntryProcess();
@@ -53,11 +55,20 @@ class EntryProcess
     std::uint64_t stored_bytes_read() const { return stored_bytes_read_; }
 
  private:
-    bool receive(void* target, std::size_t count) const;
+    void start();
+    void stop();
+
+    /** None when the process does not get on. */
+    std::optional<NextEntry> receive_entry();
+    bool receive(void* target, std::size_t count);
     std::string reason_of_its_end();
 
+    std::string rawlog_;
+    std::size_t max_entry_bytes_;
     int pipe_ = -1;
     pid_t process_ = -1;
+    bool is_stuck_ = false;
+    std::size_t entries_given_ = 0;
     std::uint64_t stored_bytes_read_ = 0;
 };
 

@@ -8,11 +8,15 @@
 
 namespace fild
 {
+/** A trial that does nothing for so long waits for a lock: of a thread that is not in the fork. */
+constexpr int kIdleSeconds = 6;
+
 /** How much a trial may take. */
 struct TrialLimits
 {
     std::size_t bytes = 0;  ///< of memory, beyond what the process has when it begins
     int seconds = 0;  ///< of computing, not of waiting
+    int idle_seconds = kIdleSeconds;  ///< of doing nothing, after which it is begun anew
 };
 
 /** To be called first in a fork that tries what may crash it: no files but `kept_descriptor`, which
@@ -31,9 +35,14 @@ void limit_computing(int seconds);
  *  with status 0. */
 std::string reason_of_end(pid_t process);
 
+/** Waits until something can be read from a pipe whose other end a child process holds, or that end is
+ *  closed. \return false: the child has done nothing for `idle_seconds`, neither computed nor waited for
+ *  a disk. */
+bool wait_for_pipe(int pipe, pid_t process, int idle_seconds);
+
 /** Runs a task in a fork of this process first, for libraries that crash or take all memory on a bad
  *  file because they trust what they read. As after any fork, locks that other threads hold at that
- *  moment stay locked in it.
+ *  moment stay locked in it; a trial that waits for one is ended and begun anew, twice.
  *  \param task  its exceptions count as success, except when memory is out: here it will throw the
  *  same, to a caller who can say more of it.
  *  \return why the task must not be done here; empty: it may be.
