@@ -211,7 +211,7 @@ TEST_F(RawlogLoopClosure, GivesTheSameBytesAgainAndWithTwoThreads)
     EXPECT_NE(frames_csv(), frames);
 }
 
-/** Of `key = value` lines, as --set takes them: evidence that leaves some doubt, and a belief. */
+/** Arguments for evidence that leaves some doubt in a pair alone, and a belief that looks ahead. */
 std::string looking_ahead(const std::string& seconds)
 {
     return "--set verification.one_shape=true --set same_place.enabled=true "
