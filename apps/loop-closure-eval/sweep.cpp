@@ -207,14 +207,21 @@ std::optional<RunResults> detect(const Recording& recording,
     LoopDetector detector(options, recording.global_dimension);
     RunResults results;
     results.answers.emplace();
+    const auto add = [&](std::vector<DetectorOutcome> outcomes)
+    {
+        for (auto& outcome : outcomes)
+        {
+            results.frames.push_back(std::move(outcome.verdict));
+            results.answers->push_back(std::move(outcome.considered));
+        }
+    };
     for (const auto& features : recording.frames)
     {
         if (interrupted()) return std::nullopt;
-        auto outcome = detector.process(hash(hasher, features, times), times);
-        results.frames.push_back(std::move(outcome.verdict));
-        results.answers->push_back(std::move(outcome.considered));
+        add(detector.process(hash(hasher, features, times), times));
         on_frame();
     }
+    add(detector.finish(times));
     return results;
 }
 

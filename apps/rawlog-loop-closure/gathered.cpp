@@ -25,12 +25,16 @@ Gathered::Gathered(const OutputFolder& folder, const TRunOptions& options)
         similarities.emplace(static_cast<std::size_t>(options.report.similarity_frames));
 }
 
-void Gathered::add(const DetectorOutcome& outcome, const LoopClosureStream& stream)
+void Gathered::add_costs(FrameId frame, const LoopClosureStream& stream)
+{
+    costs.add(frame, stream.times(), stream.detector().map_bytes());
+}
+
+void Gathered::add(const DetectorOutcome& outcome)
 {
     const auto& verdict = outcome.verdict;
     frames.add(verdict, to_word(outcome.depth_source));
     candidates.add(verdict.frame, outcome.considered);
-    costs.add(verdict.frame, stream.times(), stream.detector().map_bytes());
     if (similarities) similarities->add(verdict.frame, outcome.global);
     summary.add(verdict);
     verdicts.push_back(verdict);

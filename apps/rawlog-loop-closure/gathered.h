@@ -23,8 +23,11 @@ struct Gathered
 {
     Gathered(const OutputFolder& folder, const TRunOptions& options);
 
-    /** \param stream  that gave the outcome. */
-    void add(const DetectorOutcome& outcome, const LoopClosureStream& stream);
+    /** A camera frame that the stream just took. */
+    void add_costs(FrameId frame, const LoopClosureStream& stream);
+
+    /** The verdict on a frame, in their order. */
+    void add(const DetectorOutcome& outcome);
 
     /** Commits frames.csv, loops.csv, candidates.csv and costs.csv: a run that is killed while the
      *  map is made has its verdicts. Loops have no poses yet. */

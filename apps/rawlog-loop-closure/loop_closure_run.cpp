@@ -18,68 +18,93 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace fild
 {
 namespace
 {
+/** What a run feeds, and where the answers go. */
+struct Pass
+{
+    LoopClosureStream& stream;
+    MapBuilder& map;
+    Gathered& gathered;
+};
+
+void take(const std::vector<DetectorOutcome>& outcomes, const Pass& pass)
+{
+    for (const auto& outcome : outcomes)
+    {
+        pass.gathered.add(outcome);
+        pass.map.add(outcome);
+    }
+}
+
 /** Feeds the rawlog to the stream until its end, the limit of frames or an interruption. */
-void read_frames(const RunRequest& request,
-                 RawlogReader& reader,
-                 LoopClosureStream& stream,
-                 MapBuilder& map,
-                 Gathered& gathered)
+void read_frames(const RunRequest& request, RawlogReader& reader, const Pass& pass)
 {
     ProgressLine progress(request.quiet, "loop closures");
-    const auto& count = gathered.summary.camera_frames;
+    std::size_t count = 0;
     while (count != request.max_frames || count == 0)
     {
         throw_if_interrupted();
         const auto [observation, actions] = reader.next_entry();
         if (!observation && !actions) break;
-        if (actions) map.feed(*actions);
+        if (actions) pass.map.feed(*actions);
         if (!observation) continue;
-        map.feed(*observation);
-        const auto outcome = stream.feed(*observation);
-        if (!outcome) continue;
-        gathered.add(*outcome, stream);
-        map.add(*outcome);  // after it: the map has no frame that the results do not have
+        pass.map.feed(*observation);
+        const auto fed = pass.stream.feed(*observation);
+        if (!fed) continue;
+        ++count;
+        pass.map.add_frame(fed->frame, fed->timestamp);
+        pass.gathered.add_costs(fed->frame, pass.stream);
+        take(fed->decided, pass);
         const double of_limit =
             request.max_frames == 0
                 ? 0
                 : static_cast<double>(count) / static_cast<double>(request.max_frames);
         progress.update(
-            std::max(reader.fraction_read(), of_limit), count, gathered.summary.loop_closures);
+            std::max(reader.fraction_read(), of_limit), count, pass.gathered.summary.loop_closures);
     }
 }
 
-/** As read_frames(), but an error after the first frame is returned: what came before is good. */
-std::string read_what_can_be_read(const RunRequest& request,
-                                  RawlogReader& reader,
-                                  LoopClosureStream& stream,
-                                  MapBuilder& map,
-                                  Gathered& gathered)
+/** \return what the step throws, as one line; empty: nothing. */
+std::string error_of(const std::function<void()>& step)
 {
     try
     {
-        read_frames(request, reader, stream, map, gathered);
+        step();
     }
     catch (const std::exception& error)
     {
-        if (gathered.summary.camera_frames == 0) throw std::runtime_error(error_line(error));
         return error_line(error);
     }
-    const auto& summary = gathered.summary;
-    if (summary.camera_frames > 0) return too_few_usable_frames(summary, stream.frames());
+    return "";
+}
+
+/** As read_frames(), then gives the verdicts that wait. An error after the first frame is returned:
+ *  what came before is good. */
+std::string read_what_can_be_read(const RunRequest& request, RawlogReader& reader, const Pass& pass)
+{
+    auto ended_early = error_of([&] { read_frames(request, reader, pass); });
+    const auto error_at_end = error_of([&] { take(pass.stream.finish(), pass); });
+    if (ended_early.empty()) ended_early = error_at_end;
+    const auto& summary = pass.gathered.summary;
+    const auto& frames = pass.stream.frames();
+    if (summary.camera_frames > 0)
+        return ended_early.empty() ? too_few_usable_frames(summary, frames) : ended_early;
+    if (!ended_early.empty()) throw std::runtime_error(ended_early);
     const auto& label = request.options.stream.input.sensor_label;
     const auto wanted = label.empty() ? "" : " that matches [input] sensor_label='" + label + "'";
     throw std::runtime_error(request.rawlog + " has no camera observation" + wanted + "; " +
-                             stream.frames().describe_labels());
+                             frames.describe_labels());
 }
 
 void print_result(const RunSummary& summary, const std::string& output)
@@ -148,7 +173,7 @@ void run_loop_closure(RunRequest request)
     Gathered gathered(folder, options);
     MapBuilder builder(options.stream.detector, options.graph);
     auto& summary = gathered.summary;
-    summary.ended_early = read_what_can_be_read(request, reader, stream, builder, gathered);
+    summary.ended_early = read_what_can_be_read(request, reader, {stream, builder, gathered});
     summary.clock_jumps = stream.detector().clock_jumps();
     summary.scaled_frames = stream.frames().scaled_frames();
     summary.ignored_camera_labels = stream.frames().ignored_camera_labels();

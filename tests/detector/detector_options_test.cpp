@@ -5,6 +5,9 @@
 
 #include <mrpt/config/CConfigFileMemory.h>
 
+#include <cmath>
+#include <limits>
+
 namespace
 {
 using fild::testing::message_of;
@@ -40,6 +43,23 @@ TEST(ConsistencyOptions, BoundBeta)
     options.consecutive_frames = 0;
     EXPECT_THAT(message_of<std::invalid_argument>([&] { options.check(); }),
                 HasSubstr("consecutive_frames=0 outside"));
+}
+
+TEST(ConsistencyOptions, TakeALookAheadOnlyWithTheBelief)
+{
+    fild::TConsistencyOptions options;
+    const auto message = [&]
+    { return message_of<std::invalid_argument>([&] { options.check(); }); };
+    options.look_ahead_seconds = 3;
+    EXPECT_THAT(message(), HasSubstr("look_ahead_seconds > 0 needs belief = true"));
+    options.belief = true;
+    EXPECT_NO_THROW(options.check());
+    for (const double seconds :
+         {-0.5, 4000.0, std::numeric_limits<double>::infinity(), std::nan("")})
+    {
+        options.look_ahead_seconds = seconds;
+        EXPECT_THAT(message(), HasSubstr("look_ahead_seconds=")) << seconds;
+    }
 }
 
 TEST(RuntimeOptions, RefuseANegativeSeed)

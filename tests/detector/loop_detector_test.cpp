@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 #include <stdexcept>
 
@@ -78,9 +79,12 @@ fild::TDetectorOptions options_with_belief(double delay_seconds)
     return options;
 }
 
-/** Drives along the places at one frame a second. */
-std::vector<fild::DetectorOutcome> drive(const fild::TDetectorOptions& options,
-                                         const std::vector<std::uint64_t>& places)
+/** Drives along the places at one frame a second.
+ *  \param change  of the view of a frame. */
+std::vector<fild::DetectorOutcome> drive(
+    const fild::TDetectorOptions& options,
+    const std::vector<std::uint64_t>& places,
+    const std::function<void(std::size_t, FrameDescription&)>& change = [](auto, auto&) {})
 {
     fild::LoopDetector detector(options, kDimension);
     fild::StageTimes times;
@@ -90,8 +94,11 @@ std::vector<fild::DetectorOutcome> drive(const fild::TDetectorOptions& options,
         auto view = view_of(places[i], 0.3 * static_cast<double>(i));
         view.frame = FrameId{i};
         view.timestamp = 1000 + static_cast<double>(i);
-        outcomes.push_back(detector.process(std::move(view), times));
+        change(i, view);
+        for (auto& outcome : detector.process(std::move(view), times))
+            outcomes.push_back(std::move(outcome));
     }
+    for (auto& outcome : detector.finish(times)) outcomes.push_back(std::move(outcome));
     return outcomes;
 }
 
@@ -166,7 +173,7 @@ TEST(LoopDetector, SaysWhyALoopHasNoPose)
         view.frame = FrameId{i};
         view.timestamp = static_cast<double>(i);
         if (i == 3) view.metric.camera.reset();
-        last = detector.process(std::move(view), times);
+        last = detector.process(std::move(view), times).front();
     }
     ASSERT_TRUE(last.verdict.accepted());
     ASSERT_TRUE(last.pose.has_value());
@@ -204,7 +211,7 @@ TEST(LoopDetector, KeepsARowAcrossAFrameThatCannotBeUsed)
         view.frame = FrameId{i};
         view.timestamp = static_cast<double>(i);
         if (i == 4) view.defect = Rejection::missing_image;
-        last = detector.process(std::move(view), times);
+        last = detector.process(std::move(view), times).front();
     }
     EXPECT_TRUE(last.verdict.accepted());
 }
@@ -239,7 +246,7 @@ TEST(LoopDetector, TakesTheCandidateWithTheMostInliersOfSeveral)
         query.timestamp = 10;
         detector.process(std::move(impostor), times);
         detector.process(std::move(same_place), times);
-        return detector.process(std::move(query), times).verdict;
+        return detector.process(std::move(query), times).front().verdict;
     };
     EXPECT_EQ(run(1).rejection, Rejection::too_few_matches);
     EXPECT_TRUE(run(2).accepted());
@@ -276,7 +283,7 @@ TEST(LoopDetector, FollowsNeighboursAsLongAsTheInliersGrow)
         auto query = view_of(10, 0.4);
         query.frame = FrameId{5};
         query.timestamp = 10;
-        return detector.process(std::move(query), times).verdict;
+        return detector.process(std::move(query), times).front().verdict;
     };
     EXPECT_EQ(run(0).candidate->frame, FrameId{0});
     const auto followed = run(1);
@@ -302,7 +309,7 @@ TEST(LoopDetector, LooksBeyondAWorseNeighbourAsFarAsAsked)
         auto query = view_of(10, 0.4);
         query.frame = FrameId{4};
         query.timestamp = 10;
-        return detector.process(std::move(query), times).verdict.candidate->frame;
+        return detector.process(std::move(query), times).front().verdict.candidate->frame;
     };
     EXPECT_EQ(found_with(1), FrameId{1});
     EXPECT_EQ(found_with(2), FrameId{3});
@@ -327,7 +334,7 @@ TEST(LoopDetector, FollowsTheBeliefFromFrameToFrame)
             if (i == 4) view.global = view_of(30, 0).global;
             view.frame = FrameId{i};
             view.timestamp = timestamps[i];
-            last = detector.process(std::move(view), times);
+            last = detector.process(std::move(view), times).front();
         }
         return last.verdict;
     };
@@ -354,15 +361,131 @@ TEST(LoopDetector, SaysWhichExplanationTheEvidenceLeavesOpen)
     EXPECT_LT(last().verdict.support, 0.1);
 }
 
-/** Inside a certain return the belief accepts what a pair alone does not, down to a limit. */
-TEST(LoopDetector, BelievesAWeakPairOnlyDownToMinPairProbability)
+/** Weak pairs: a first return to a place is not believed before others follow. */
+fild::TDetectorOptions options_for_weak_pairs(double look_ahead_seconds)
 {
     auto options = options_with_belief(5);
     options.same_place.look_alike.bias = 2.5;  // a pair reaches 0.92, and 0.95 is asked for
+    options.consistency.look_ahead_seconds = look_ahead_seconds;
+    return options;
+}
+
+/** Inside a certain return the belief accepts what a pair alone does not, down to a limit. */
+TEST(LoopDetector, BelievesAWeakPairOnlyDownToMinPairProbability)
+{
+    auto options = options_for_weak_pairs(0);
     const std::vector<std::uint64_t> places{10, 11, 12, 13, 14, 15, 16, 10, 11, 12, 13, 14};
     EXPECT_TRUE(drive(options, places).back().verdict.accepted());
     options.consistency.min_pair_probability = 0.93;
     EXPECT_EQ(drive(options, places).back().verdict.rejection, Rejection::may_be_look_alike);
+}
+
+TEST(LoopDetector, LetsLaterFramesVouchForADoubtfulOne)
+{
+    const std::vector<std::uint64_t> places{10, 11, 12, 13, 14, 15, 16, 10, 11, 12, 13, 14};
+    constexpr std::size_t kFirstReturn = 7;
+    const auto on_line = drive(options_for_weak_pairs(0), places)[kFirstReturn];
+    EXPECT_EQ(on_line.verdict.rejection, Rejection::may_be_look_alike);
+    EXPECT_FALSE(on_line.pose);
+    for (const double seconds : {3.0, 1000.0})
+    {
+        const auto looked_ahead = drive(options_for_weak_pairs(seconds), places)[kFirstReturn];
+        EXPECT_TRUE(looked_ahead.verdict.accepted());
+        EXPECT_GT(looked_ahead.verdict.support, on_line.verdict.support);
+        EXPECT_EQ(looked_ahead.verdict.candidate->frame, FrameId{0});
+        ASSERT_TRUE(looked_ahead.pose);
+        EXPECT_TRUE(looked_ahead.pose->candidate_from_query);
+    }
+}
+
+TEST(LoopDetector, LetsLaterFramesRefuseALonelyOne)
+{
+    std::vector<std::uint64_t> places{10, 11, 12, 13, 14, 15, 16, 10};
+    for (std::uint64_t i = 0; i < 6; ++i) places.push_back(50 + i);
+    constexpr std::size_t kReturn = 7;
+    auto options = options_with_belief(5);
+    EXPECT_TRUE(drive(options, places)[kReturn].verdict.accepted());
+    options.consistency.look_ahead_seconds = 5;
+    const auto refused = drive(options, places)[kReturn];
+    EXPECT_EQ(refused.verdict.rejection, Rejection::not_consistent_yet);
+    EXPECT_LT(refused.verdict.support, options.same_place.min_probability);
+    EXPECT_FALSE(refused.pose);
+}
+
+/** Frames 0 and 9 show parts of place 20, and frame 9 the larger one. The camera comes to place 20,
+ *  then to what frames 1 to 3 show. */
+TEST(LoopDetector, NamesTheCandidateThatLaterFramesConfirm)
+{
+    constexpr std::size_t kReturn = 16;
+    const auto returned = [](double look_ahead_seconds)
+    {
+        auto options = options_with_belief(5);
+        options.index.candidates = 12;
+        options.consistency.place_step = 1;
+        options.consistency.near_places = 3;
+        options.consistency.look_ahead_seconds = look_ahead_seconds;
+        const auto show_parts_of_place_20 = [](std::size_t frame, FrameDescription& view)
+        {
+            if (frame != 0 && frame != 9) return;
+            const auto other = view.local.codes.words;
+            view.local = view_of(20, 0).local;
+            for (std::size_t i = 4 * (frame == 0 ? 60 : 70); i < other.size(); ++i)
+                view.local.codes.words[i] = other[i];
+        };
+        std::vector<std::uint64_t> places{100, 21, 22, 23};
+        for (std::uint64_t i = 4; i < kReturn; ++i) places.push_back(100 + i);
+        for (const std::uint64_t place : {20, 21, 22, 23}) places.push_back(place);
+        return drive(options, places, show_parts_of_place_20)[kReturn];
+    };
+    EXPECT_EQ(returned(0).verdict.candidate->frame, FrameId{9});
+    const auto looked_ahead = returned(3);
+    EXPECT_EQ(looked_ahead.verdict.candidate->frame, FrameId{0});
+    EXPECT_TRUE(looked_ahead.verdict.accepted());
+    EXPECT_EQ(looked_ahead.verdict.inliers, 60U);
+    EXPECT_EQ(looked_ahead.matches.size(), looked_ahead.keypoint_matches.size());
+    EXPECT_EQ(looked_ahead.inliers.size(), 60U);
+}
+
+TEST(LoopDetector, GivesEveryVerdictOnceAndInOrderAndTheRestAtTheEnd)
+{
+    fild::LoopDetector detector(options_for_weak_pairs(2), kDimension);
+    fild::StageTimes times;
+    const std::vector<std::uint64_t> places{10, 11, 12, 13, 14, 15, 16, 10, 11, 12, 13, 14};
+    constexpr std::size_t kUnusable = 8;
+    std::vector<std::size_t> given;  // with each frame
+    std::uint64_t next = 0;
+    const auto take = [&](const std::vector<fild::DetectorOutcome>& outcomes)
+    {
+        given.push_back(outcomes.size());
+        for (const auto& outcome : outcomes) EXPECT_EQ(outcome.verdict.frame, FrameId{next++});
+    };
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        auto view = view_of(places[i], 0.3 * static_cast<double>(i));
+        view.frame = FrameId{i};
+        view.timestamp = 1000 + static_cast<double>(i);
+        if (i == kUnusable) view.defect = Rejection::missing_image;
+        take(detector.process(std::move(view), times));
+    }
+    take(detector.finish(times));
+    // Frames 7, 9 and so on wait for 2 s; nothing can change the others.
+    EXPECT_EQ(given, (std::vector<std::size_t>{1, 1, 1, 1, 1, 1, 1, 0, 0, 2, 0, 1, 2}));
+    EXPECT_TRUE(detector.finish(times).empty());
+}
+
+TEST(LoopDetector, WithoutLookAheadAnswersAtOnce)
+{
+    fild::LoopDetector detector(options_for_weak_pairs(0), kDimension);
+    fild::StageTimes times;
+    for (std::uint64_t i = 0; i < 20; ++i)
+    {
+        auto view = view_of(10 + i % 7, 0.3 * static_cast<double>(i));
+        view.frame = FrameId{i};
+        view.timestamp = 1000 + static_cast<double>(i);
+        EXPECT_EQ(detector.process(std::move(view), times).size(), 1U);
+    }
+    EXPECT_TRUE(detector.finish(times).empty());
+    EXPECT_EQ(times.statistics().count("look_ahead"), 0U);
 }
 
 TEST(LoopDetector, RefusesABeliefWithoutEvidence)
@@ -416,7 +539,7 @@ TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)
     FrameDescription broken;
     broken.frame = FrameId{4};
     broken.defect = Rejection::missing_image;
-    const auto outcome = detector.process(std::move(broken), times);
+    const auto outcome = detector.process(std::move(broken), times).front();
     EXPECT_EQ(outcome.verdict.frame, FrameId{4});
     EXPECT_EQ(outcome.verdict.rejection, Rejection::missing_image);
     EXPECT_EQ(detector.map_bytes(), 0U);
@@ -434,7 +557,7 @@ TEST(LoopDetector, GoesOnWhenTheClockJumpsBack)
         auto view = view_of(places[i], 0.3 * static_cast<double>(i));
         view.frame = FrameId{i};
         view.timestamp = timestamps[i];
-        last = detector.process(std::move(view), times);
+        last = detector.process(std::move(view), times).front();
     }
     EXPECT_EQ(detector.clock_jumps(), 1U);
     EXPECT_TRUE(last.verdict.accepted());
@@ -452,7 +575,7 @@ TEST(LoopDetector, DoesNotAnswerWithItsNeighbourhoodAfterAWrongStamp)
             auto view = view_of(10, 0.01 * static_cast<double>(i));
             view.frame = FrameId{i};
             view.timestamp = 1000 + 0.1 * static_cast<double>(i) + (i == 30 ? wrong : 0);
-            const auto outcome = detector.process(std::move(view), times);
+            const auto outcome = detector.process(std::move(view), times).front();
             EXPECT_EQ(outcome.verdict.rejection, Rejection::too_early) << i;
         }
         EXPECT_EQ(detector.clock_jumps(), 1U);
@@ -470,7 +593,7 @@ TEST(LoopDetector, BearsFramesWithoutFeatures)
         view.timestamp = static_cast<double>(i);
         view.local.positions.clear();
         view.local.codes.words.clear();
-        const auto outcome = detector.process(std::move(view), times);
+        const auto outcome = detector.process(std::move(view), times).front();
         EXPECT_EQ(outcome.verdict.rejection,
                   i == 0 ? Rejection::too_early : Rejection::too_few_matches);
     }
@@ -498,7 +621,7 @@ TEST(LoopDetector, RefusesAnotherLengthAtOnceAndGoesOn)
         auto longer = view;
         longer.global.push_back(0);
         EXPECT_THROW(detector.process(std::move(longer), times), std::invalid_argument);
-        const auto outcome = detector.process(std::move(view), times);
+        const auto outcome = detector.process(std::move(view), times).front();
         EXPECT_EQ(outcome.verdict.accepted(), i > 0) << i;
     }
 }
@@ -538,8 +661,10 @@ std::vector<fild::DetectorOutcome> drive_with_a_stop(const fild::TDetectorOption
             view_of(places[i], places[i] == 12 && i < stop + 2 ? 0 : 0.1 * static_cast<double>(i));
         view.frame = FrameId{i};
         view.timestamp = 1000 + static_cast<double>(i);
-        outcomes.push_back(detector.process(std::move(view), times));
+        for (auto& outcome : detector.process(std::move(view), times))
+            outcomes.push_back(std::move(outcome));
     }
+    for (auto& outcome : detector.finish(times)) outcomes.push_back(std::move(outcome));
     return outcomes;
 }
 

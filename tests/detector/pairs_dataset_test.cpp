@@ -63,7 +63,7 @@ fild::FrameVerdict verdict_on(fild::FrameDescription query,
     detector.process(earlier, times);
     query.frame = fild::FrameId{1};
     query.timestamp = 2 * options.index.delay_seconds;
-    return detector.process(std::move(query), times).verdict;
+    return detector.process(std::move(query), times).front().verdict;
 }
 
 class Pairs : public ::testing::TestWithParam<int>

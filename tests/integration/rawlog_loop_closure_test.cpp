@@ -58,17 +58,25 @@ class RawlogLoopClosure : public ::testing::Test
         write_rawlog(objects);
     }
 
+    /** A file of a run, and the beginning of a row of it. */
+    struct Row
+    {
+        std::string file;
+        std::string begin;
+    };
+
     /** Starts a run in the background and sends it a signal when some frames have verdicts.
-     *  \param before  a shell command. */
+     *  \param before  a shell command. \param awaited  tells that the time has come. */
     Finished run_and_send(const std::string& signal,
                           const std::string& more,
-                          const std::string& before = "") const
+                          const std::string& before = "",
+                          const Row& awaited = {"frames.csv", "2,"}) const
     {
-        fs::remove(path("out/frames.csv"));
-        const auto rows = "'" + path("out") + "'/frames.csv";
+        fs::remove(path("out/" + awaited.file));
+        const auto rows = "'" + path("out") + "'/" + awaited.file;
         return fild::testing::run_command(before + app() + arguments(more) +
-                                          " & n=0; until grep -qs '^2,' " + rows +
-                                          ".fild-part-* || [ -e " + rows +
+                                          " & n=0; until grep -qs '^" + awaited.begin + "' " +
+                                          rows + ".fild-part-* || [ -e " + rows +
                                           " ] || [ $n -ge 600 ]; do sleep 0.1; n=$((n+1)); done; "
                                           "kill -" +
                                           signal + " $!; wait $!");
@@ -201,6 +209,41 @@ TEST_F(RawlogLoopClosure, GivesTheSameBytesAgainAndWithTwoThreads)
     }
     ASSERT_EQ(run("--set runtime.seed=2").exit_code, 0);
     EXPECT_NE(frames_csv(), frames);
+}
+
+/** Arguments for evidence that leaves some doubt in a pair alone, and a belief that looks ahead. */
+std::string looking_ahead(const std::string& seconds)
+{
+    return "--set verification.one_shape=true --set same_place.enabled=true "
+           "--set same_place.chance_inliers=2 --set same_place.look_alike_bias=2.5 "
+           "--set consistency.belief=true --set consistency.look_ahead_seconds=" +
+           seconds + " ";
+}
+
+TEST_F(RawlogLoopClosure, WithLookAheadHasOneVerdictForEveryFrameInOrder)
+{
+    write_rawlog(two_laps());
+    ASSERT_EQ(run(looking_ahead("0")).exit_code, 0);
+    const auto on_line = summary()["frames"]["loop_closures"].get<int>();
+    const auto candidates = read_text(path("out/candidates.csv"));
+    ASSERT_EQ(run(looking_ahead("3")).exit_code, 0);
+    EXPECT_GT(summary()["frames"]["loop_closures"].get<int>(), on_line);
+    EXPECT_EQ(read_text(path("out/candidates.csv")), candidates) << "of the pairs alone";
+    for (const auto* file : {"out/frames.csv", "out/costs.csv"})
+    {
+        const auto rows = lines_of(read_text(path(file)));
+        ASSERT_EQ(rows.size(), 1 + 2 * kFramesPerLap) << file;
+        for (std::size_t i = 0; i < 2 * kFramesPerLap; ++i)
+            EXPECT_THAT(rows[i + 1], StartsWith(std::to_string(i) + ",")) << file;
+    }
+    const auto frames = frames_csv();
+    for (const auto* threads : {"1", "2"})
+    {
+        ASSERT_EQ(run(looking_ahead("3") + "--set runtime.num_threads=" + threads).exit_code, 0);
+        EXPECT_EQ(frames_csv(), frames);
+    }
+    ASSERT_EQ(run(looking_ahead("3") + "--max-frames 12").exit_code, 0);
+    EXPECT_EQ(lines_of(frames_csv()).size(), 13U);
 }
 
 TEST_F(RawlogLoopClosure, HonoursLimitsOfFramesAndPictures)
@@ -670,6 +713,19 @@ TEST_F(RawlogLoopClosure, KeepsTheResultsBeforeAnInterruption)
     EXPECT_EQ(output_names(), kAllOutputs);
     EXPECT_EQ(summary()["ended_early"], "interrupted");
     EXPECT_GT(lines_of(frames_csv()).size(), 2U);
+}
+
+TEST_F(RawlogLoopClosure, DecidesTheFramesThatWaitWhenItIsInterrupted)
+{
+    write_long_rawlog();
+    const auto finished =
+        run_and_send("INT", "-q " + looking_ahead("1000"), "", {"costs.csv", "20,"});
+    EXPECT_EQ(finished.exit_code, 1);
+    EXPECT_THAT(finished.err, HasSubstr("interrupted; the results of the"));
+    const auto rows = lines_of(frames_csv());
+    EXPECT_EQ(rows.size(), lines_of(read_text(path("out/costs.csv"))).size());
+    ASSERT_GT(rows.size(), 20U);
+    EXPECT_THAT(rows[20], StartsWith("19,"));
 }
 
 TEST_F(RawlogLoopClosure, LinksNoWxWidgets)

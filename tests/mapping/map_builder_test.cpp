@@ -280,7 +280,8 @@ TEST(MapBuilder, HasOneEdgeForAllLoopsOfARobotThatStands)
         auto seen = world.describe(where, {});
         seen.frame = fild::FrameId{i};
         seen.timestamp = static_cast<double>(i);
-        builder.add(detector.process(std::move(seen), times));
+        builder.add_frame(seen.frame, seen.timestamp);
+        builder.add(detector.process(std::move(seen), times).front());
     }
     const auto map = builder.build(detector, times);
     constexpr std::size_t kBeforeItCounts = 2;  // frames

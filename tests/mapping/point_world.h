@@ -181,8 +181,11 @@ Map map_of(
         if (recorded.odometry) builder.feed(drifting_odometry(i));
         auto description = world.describe(i, recorded);
         change(description);
-        builder.add(detector.process(std::move(description), times));
+        builder.add_frame(description.frame, description.timestamp);
+        for (const auto& outcome : detector.process(std::move(description), times))
+            builder.add(outcome);
     }
+    for (const auto& outcome : detector.finish(times)) builder.add(outcome);
     return builder.build(detector, times, go_on);
 }
 

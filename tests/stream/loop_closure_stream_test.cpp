@@ -38,12 +38,15 @@ TEST(LoopClosureStream, GivesAVerdictForEveryCameraFrame)
     {
         const auto observation =
             fild::testing::image_observation(images[i], static_cast<double>(i));
-        const auto outcome = stream.feed(*observation);
-        ASSERT_TRUE(outcome.has_value());
-        EXPECT_EQ(to_index(outcome->verdict.frame), i);
-        if (!outcome->verdict.accepted()) continue;
+        const auto fed = stream.feed(*observation);
+        ASSERT_TRUE(fed.has_value());
+        EXPECT_EQ(to_index(fed->frame), i);
+        ASSERT_EQ(fed->decided.size(), 1U);
+        const auto& verdict = fed->decided.front().verdict;
+        EXPECT_EQ(to_index(verdict.frame), i);
+        if (!verdict.accepted()) continue;
         ++loops;
-        EXPECT_EQ(to_index(outcome->verdict.candidate->frame) + kFramesPerLap, i);
+        EXPECT_EQ(to_index(verdict.candidate->frame) + kFramesPerLap, i);
     }
     EXPECT_EQ(loops, kFramesPerLap);
     EXPECT_EQ(stream.times().statistics().at("whole_frame").calls, images.size());

@@ -72,7 +72,8 @@ std::string meaning_of(Rejection rejection)
             return "may be two places that look alike: support is below [same_place] "
                    "min_probability";
         case Rejection::not_consistent_yet:
-            return "convincing alone, but not confirmed by the frames before: [consistency] belief "
+            return "convincing alone, but not confirmed by the frames around it: [consistency] "
+                   "belief "
                    "or consecutive_frames";
     }
     return "";

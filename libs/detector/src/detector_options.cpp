@@ -25,8 +25,15 @@ void TConsistencyOptions::describe(OptionVisitor& visitor)
     visitor.integer("near_places", near_places, 0, 100000);
     visitor.integer("place_step", place_step, 0, 1000);
     visitor.real("look_alike_weight", look_alike_weight, 0, 1);
+    visitor.real("look_ahead_seconds", look_ahead_seconds, 0, 3600);
     visitor.integer("consecutive_frames", consecutive_frames, 1, 1000);
     visitor.real("max_candidate_step_seconds", max_candidate_step_seconds, 0, 1e6);
+}
+
+void TConsistencyOptions::check_between_fields() const
+{
+    if (look_ahead_seconds > 0 && !belief)
+        throw std::invalid_argument("look_ahead_seconds > 0 needs belief = true");
 }
 
 void TRuntimeOptions::describe(OptionVisitor& visitor)

@@ -3,10 +3,8 @@
 #include "fild/detector/loop_detector.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace fild
@@ -14,16 +12,6 @@ namespace fild
 namespace
 {
 constexpr std::size_t kToldAnswers = 10;  // that candidates.csv has, verified or not
-
-/** Which candidate a verdict names: the one with the best evidence, then the one with more matches.
- *  Equals stay in the order of the search, most similar first. */
-bool came_further(const ConsideredCandidate& a, const ConsideredCandidate& b)
-{
-    const auto evidence = [](const ConsideredCandidate& each)
-    { return each.odds ? each.odds->log_odds() : -std::numeric_limits<double>::infinity(); };
-    return std::make_tuple(evidence(a), a.inliers, a.matches) >
-           std::make_tuple(evidence(b), b.inliers, b.matches);
-}
 
 FrameVerdict verdict_of(const FrameDescription& description, Rejection rejection)
 {
@@ -61,7 +49,8 @@ std::size_t bytes_of(const KeypointDepths& depths)
 }
 }  // namespace
 
-/** The candidates of one query: what the index answered, which were verified, and the best. */
+/** The candidates of one query: what the index answered, which were verified, and the best. Equals
+ *  stay in the order of the search, most similar first. */
 class LoopDetector::Trials
 {
  public:
@@ -80,7 +69,8 @@ class LoopDetector::Trials
     {
         auto& entry = entry_of(candidate);
         if (entry.checked) return false;
-        auto outcome = detector_.verify(query_, candidate, entry, times_);
+        DetectorOutcome outcome{verdict_of(query_, Rejection::none), {}, {}, {}};
+        detector_.verify(query_.local, entry, outcome, times_);
         if (best_ && !came_further(entry, best_entry_)) return false;
         best_ = std::move(outcome);
         best_entry_ = entry;
@@ -131,6 +121,7 @@ LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_d
       pairs_(options),
       poses_(options.relative_pose, static_cast<std::uint64_t>(options.runtime.seed)),
       consistency_(options.consistency),
+      waiting_(options),
       standstill_(options.index.still_seconds)
 {
     candidate_options_.check();
@@ -139,9 +130,11 @@ LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_d
     if (!options.consistency.belief) return;
     belief_.emplace(options.consistency);
     min_pair_log_odds_ = log_odds_of(options.consistency.min_pair_probability);
+    near_places_ = options.consistency.near_places;
+    if (options.consistency.look_ahead_seconds > 0) smoother_.emplace(options.consistency);
 }
 
-DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& times)
+std::vector<DetectorOutcome> LoopDetector::process(FrameDescription description, StageTimes& times)
 {
     if (last_frame_ && description.frame <= *last_frame_)
         throw std::invalid_argument("LoopDetector: frame ids must increase");
@@ -151,24 +144,35 @@ DetectorOutcome LoopDetector::process(FrameDescription description, StageTimes& 
                                     " numbers instead of " + std::to_string(global_dimension_));
     last_frame_ = description.frame;
     if (description.defect != Rejection::none)
-        return {verdict_of(description, description.defect), {}, {}, {}};
-
+    {
+        waiting_.push({{verdict_of(description, description.defect), {}, {}, {}}, false}, now_);
+        return take_due(times);
+    }
     const auto stands_since = enqueue(description, times);
     auto outcome = find_loop(description, times);
     check_consistency(outcome);
-    add_pose(outcome, description, times);
+    outcome.depth_source = description.metric.depths.source;
     outcome.global = description.global;
     remember(std::move(description), stands_since);
-    return outcome;
+    const bool may_change = smoother_ && !believable(outcome).empty();
+    waiting_.push({std::move(outcome), true, may_change}, now_);
+    return take_due(times);
+}
+
+std::vector<DetectorOutcome> LoopDetector::finish(StageTimes& times)
+{
+    std::vector<DetectorOutcome> outcomes;
+    while (!waiting_.empty()) outcomes.push_back(decide(waiting_.pop(), times));
+    return outcomes;
 }
 
 /** The frame becomes a candidate after the delay, unless its camera stands still: then it shows
  *  nothing new. \return since when it stands. */
 std::optional<FrameId> LoopDetector::enqueue(const FrameDescription& description, StageTimes& times)
 {
-    const double now = clock_.advance(description.sensor_label, description.timestamp);
+    now_ = clock_.advance(description.sensor_label, description.timestamp);
     const auto stands_since =
-        standstill_.add(description.frame, description.sensor_label, description.local, now);
+        standstill_.add(description.frame, description.sensor_label, description.local, now_);
     if (stands_since) return stands_since;
     const double moving = standstill_.moving_seconds();
     insert_released(queue_.push({description.frame, moving, description.global}), times);
@@ -234,19 +238,19 @@ std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,
     return chosen;
 }
 
-DetectorOutcome LoopDetector::verify(const FrameDescription& query,
-                                     const Candidate& candidate,
-                                     ConsideredCandidate& entry,
-                                     StageTimes& times) const
+/** Matches and verifies the query with the entry's candidate, of which the outcome then tells. */
+void LoopDetector::verify(const HashedFeatures& query,
+                          ConsideredCandidate& entry,
+                          DetectorOutcome& outcome,
+                          StageTimes& times) const
 {
-    DetectorOutcome outcome{verdict_of(query, Rejection::none), {}, {}, {}};
     auto& verdict = outcome.verdict;
-    verdict.candidate = candidate;
-    const auto& place = places_.at(candidate.frame).local;
-    auto [matches, verification, evidence, odds] = pairs_.verify(query.local, place, times);
+    verdict.candidate = entry.candidate;
+    const auto& place = places_.at(entry.candidate.frame).local;
+    auto [matches, verification, evidence, odds] = pairs_.verify(query, place, times);
+    outcome.matches.clear();
     for (const auto& match : matches)
-        outcome.matches.push_back(
-            {query.local.positions[match.query], place.positions[match.candidate]});
+        outcome.matches.push_back({query.positions[match.query], place.positions[match.candidate]});
     outcome.keypoint_matches = std::move(matches);
     verdict.matches = outcome.matches.size();
     verdict.inliers = verification.inliers.size();
@@ -257,7 +261,7 @@ DetectorOutcome LoopDetector::verify(const FrameDescription& query,
     else
         verdict.support = static_cast<double>(verdict.inliers) / static_cast<double>(min_inliers_);
     outcome.inliers = std::move(verification.inliers);
-    entry = {candidate,
+    entry = {entry.candidate,
              entry.rank,
              true,
              verdict.matches,
@@ -266,7 +270,6 @@ DetectorOutcome LoopDetector::verify(const FrameDescription& query,
              verdict.rejection,
              evidence,
              odds};
-    return outcome;
 }
 
 void LoopDetector::follow_neighbours(const FrameDescription& query, Trials& trials) const
@@ -316,34 +319,79 @@ void LoopDetector::check_consistency(DetectorOutcome& outcome)
 void LoopDetector::ask_belief(DetectorOutcome& outcome)
 {
     std::vector<ComparedPlace> compared;
-    const ConsideredCandidate* named = nullptr;
     auto& verdict = outcome.verdict;
     for (const auto& entry : outcome.considered)
-    {
         if (entry.checked) compared.push_back({entry.candidate.frame, entry.odds});
-        if (verdict.candidate && entry.candidate.frame == verdict.candidate->frame) named = &entry;
-    }
     const double probability = belief_->update(compared);
-    if (named == nullptr || !named->odds || named->odds->log_odds() < min_pair_log_odds_) return;
+    if (smoother_) smoother_->add(*belief_);
+    for (const auto& [entry, place] : believable(outcome))
+        if (entry->candidate.frame == verdict.candidate->frame)
+            judge(verdict, entry->rejection, probability);
+}
+
+std::vector<BelievableCandidate> LoopDetector::believable(const DetectorOutcome& outcome) const
+{
+    std::vector<BelievableCandidate> candidates;
+    for (const auto& entry : outcome.considered)
+        if (entry.odds && entry.odds->log_odds() >= min_pair_log_odds_)
+            candidates.push_back({&entry, belief_->place_of(entry.candidate.frame)});
+    return candidates;
+}
+
+/** \param of_pair  why the pair alone would be rejected. \param probability  that the frame shows
+ *  the candidate's place. */
+void LoopDetector::judge(FrameVerdict& verdict, Rejection of_pair, double probability) const
+{
     verdict.support = probability;
     if (log_odds_of(probability) >= model_->min_log_odds())
         verdict.rejection = Rejection::none;
-    else if (verdict.rejection == Rejection::none)
+    else if (of_pair == Rejection::none)
         verdict.rejection = Rejection::not_consistent_yet;
+    else
+        verdict.rejection = of_pair;
 }
 
-void LoopDetector::add_pose(DetectorOutcome& outcome,
-                            const FrameDescription& query,
-                            StageTimes& times) const
+std::vector<DetectorOutcome> LoopDetector::take_due(StageTimes& times)
 {
-    outcome.depth_source = query.metric.depths.source;
+    std::vector<DetectorOutcome> outcomes;
+    while (waiting_.oldest_is_due()) outcomes.push_back(decide(waiting_.pop(), times));
+    return outcomes;
+}
+
+DetectorOutcome LoopDetector::decide(WaitingVerdict waiting, StageTimes& times)
+{
+    auto& outcome = waiting.outcome;
+    if (waiting.may_change) ask_later_frames(outcome, times);
+    if (smoother_ && waiting.is_usable) smoother_->drop_oldest();
+    add_pose(outcome, times);
+    return std::move(outcome);
+}
+
+void LoopDetector::ask_later_frames(DetectorOutcome& outcome, StageTimes& times) const
+{
+    PlaceStates states;
+    {
+        const StageTimer timer(times, "look_ahead");
+        states = smoother_->oldest();
+    }
+    auto& verdict = outcome.verdict;
+    const auto candidates = believable(outcome);
+    auto named = most_probable(candidates, states);
+    if (named.candidate.frame != verdict.candidate->frame)
+        verify(places_.at(verdict.frame).local, named, outcome, times);
+    judge(verdict, named.rejection, probability_near(candidates, states, near_places_));
+}
+
+void LoopDetector::add_pose(DetectorOutcome& outcome, StageTimes& times) const
+{
     if (!estimates_poses_ || !outcome.verdict.accepted()) return;
     const StageTimer timer(times, "relative_pose");
+    const auto& query = places_.at(outcome.verdict.frame);
     const auto& place = places_.at(outcome.verdict.candidate->frame);
     std::vector<Match> verified;
     verified.reserve(outcome.inliers.size());
     for (const auto k : outcome.inliers) verified.push_back(outcome.keypoint_matches[k]);
-    const auto view_of = [](const auto& frame) -> PoseView {
+    const auto view_of = [](const Place& frame) -> PoseView {
         return {frame.metric.camera, frame.local.positions, frame.metric.depths};
     };
     outcome.pose = poses_.estimate(view_of(query), view_of(place), verified);

@@ -99,7 +99,7 @@ std::string meaning_of(LossStage stage)
         case LossStage::choice:
             return "a true one was verified, another reported";
         case LossStage::consistency:
-            return "a true one was verified, but the frames before did not confirm it";
+            return "a true one was verified, but the frames around it did not confirm it";
     }
     return "";
 }

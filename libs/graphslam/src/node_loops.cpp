@@ -53,7 +53,11 @@ void NodeLoops::feed(const mrpt::obs::CActionCollection& actions)
 void NodeLoops::feed(const mrpt::obs::CObservation& observation)
 {
     trajectory_.feed(observation);
-    if (const auto outcome = stream_.feed(observation)) add_outcome(*outcome);
+    const auto fed = stream_.feed(observation);
+    if (!fed) return;
+    ++report_.camera_frames;
+    frames_[fed->frame] = {add_moment(fed->timestamp), nodes_.size()};
+    for (const auto& outcome : fed->decided) add_outcome(outcome);
 }
 
 NodeLoops::Moment NodeLoops::add_moment(double timestamp)
@@ -71,8 +75,6 @@ void NodeLoops::add_node(NodeId node, double timestamp)
 void NodeLoops::add_outcome(const DetectorOutcome& outcome)
 {
     const auto& verdict = outcome.verdict;
-    ++report_.camera_frames;
-    frames_[verdict.frame] = {add_moment(verdict.timestamp), nodes_.size()};
     if (!verdict.accepted()) return;
     ++report_.loop_closures;
     const auto candidate = verdict.candidate->frame;
@@ -104,6 +106,7 @@ std::vector<NodeLoop> NodeLoops::take_settled()
 
 std::vector<NodeLoop> NodeLoops::take_all()
 {
+    for (const auto& outcome : stream_.finish()) add_outcome(outcome);
     const auto all = std::exchange(waiting_, {});
     if (!nodes_.empty()) return settle(all);
     if (!all.empty()) report_.withheld["same_node"] += all.size();

@@ -102,11 +102,15 @@ MapBuilder::MapBuilder(const TDetectorOptions& detector_options, const TGraphOpt
 {
 }
 
+void MapBuilder::add_frame(FrameId frame, double timestamp)
+{
+    trajectory_.add_frame(frame, timestamp);
+    end_ = FrameId{to_index(frame) + 1};
+}
+
 void MapBuilder::add(const DetectorOutcome& outcome)
 {
     const auto& verdict = outcome.verdict;
-    trajectory_.add_frame(verdict.frame, verdict.timestamp);
-    end_ = FrameId{to_index(verdict.frame) + 1};
     if (!verdict.accepted()) return;
     loops_.push_back({verdict.candidate->frame, verdict.frame, outcome.pose});
     if (loops_.back().pose) loops_.back().pose->inliers = {};  // no longer needed

@@ -34,7 +34,7 @@ LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
 {
 }
 
-std::optional<DetectorOutcome> LoopClosureStream::feed(const mrpt::obs::CObservation& observation)
+std::optional<FedFrame> LoopClosureStream::feed(const mrpt::obs::CObservation& observation)
 {
     if (!frames_.accepts(observation)) return std::nullopt;
     const StageTimer whole(times_, "whole_frame");
@@ -43,7 +43,8 @@ std::optional<DetectorOutcome> LoopClosureStream::feed(const mrpt::obs::CObserva
         const StageTimer timer(times_, "image_decoding");
         frame = frames_.build(observation);
     }
-    return detector_.process(describer_.describe(frame, times_), times_);
+    return FedFrame{
+        frame.id, frame.timestamp, detector_.process(describer_.describe(frame, times_), times_)};
 }
 
 }  // namespace fild

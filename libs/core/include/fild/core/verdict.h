@@ -40,7 +40,7 @@ enum class Rejection
     too_few_inliers,  ///< fewer than tau
     may_be_chance,  ///< the evidence does not rule out that the inliers agree by chance
     may_be_look_alike,  ///< the evidence does not rule out that two places look alike
-    not_consistent_yet  ///< the pair is convincing, but the frames before do not confirm it
+    not_consistent_yet  ///< the pair is convincing, but the frames around it do not confirm it
 };
 
 /** The word that stands in frames.csv; empty for Rejection::none. */
@@ -89,7 +89,7 @@ struct ConsideredCandidate
     bool checked = false;  ///< matched and verified; else what follows says nothing
     std::size_t matches = 0;
     std::size_t inliers = 0;
-    /** As FrameVerdict::support, but of the pair alone, without the frames before it. */
+    /** As FrameVerdict::support, but of the pair alone, without other frames. */
     double support = 0;
     Rejection rejection = Rejection::none;  ///< none: verified
     EvidenceValues evidence{};  ///< set when `odds` is

@@ -38,7 +38,7 @@ struct TCandidateOptions : Options
     void describe(OptionVisitor& visitor) override;
 };
 
-/** Section [consistency]: how earlier frames affect the verdict on a frame. */
+/** Section [consistency]: how earlier and later frames affect the verdict on a frame. */
 struct TConsistencyOptions : Options
 {
     /** true: a belief over the places of the map is carried from frame to frame, see PlaceBelief;
@@ -58,6 +58,9 @@ struct TConsistencyOptions : Options
     /** Weight of a frame's evidence for or against a look-alike. Below 1, because look-alikes come
      *  in rows. */
     double look_alike_weight = 0.85;
+    /** The verdict on a frame is given when the frames up to this many seconds of the recording later
+     *  have been seen, and counts them, too: see PlaceSmoother. 0: at once. Needs the belief. */
+    double look_ahead_seconds = 0;
     int consecutive_frames = 2;  ///< beta: so many verified frames in a row, the last is accepted
     /** Their candidates must follow one another within this many seconds of the recording, so that
      * a row cannot be made of different wrong places. 0: any candidates, as in the paper. */
@@ -65,6 +68,7 @@ struct TConsistencyOptions : Options
 
  protected:
     void describe(OptionVisitor& visitor) override;
+    void check_between_fields() const override;
 };
 
 /** Section [runtime]. */

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/core/descriptors.h"
 #include "fild/core/stage_times.h"
 #include "fild/core/verdict.h"
+#include "fild/detector/candidate_choice.h"
 #include "fild/detector/detector_options.h"
+#include "fild/detector/detector_outcome.h"
 #include "fild/detector/frame_describer.h"
 #include "fild/detector/pair_verifier.h"
 #include "fild/detector/place.h"
 #include "fild/detector/place_belief.h"
+#include "fild/detector/place_smoother.h"
 #include "fild/detector/recording_clock.h"
 #include "fild/detector/standstill.h"
 #include "fild/detector/temporal_consistency.h"
+#include "fild/detector/waiting_verdicts.h"
 #include "fild/geometry/relative_pose.h"
 #include "fild/index/delay_queue.h"
 #include "fild/index/place_index.h"
@@ -24,30 +27,14 @@
 
 namespace fild
 {
-/** The detector's answer for one frame, with what a picture or a constraint is made of. */
-struct DetectorOutcome
-{
-    FrameVerdict verdict;
-    std::vector<PixelPair> matches;  ///< with verdict.candidate, after the ratio test
-    std::vector<std::size_t> inliers;  ///< indices into `matches`
-    /** The nearest answers of the index, ten (or ef) if there are, most similar first, then the
-     *  other frames that were verified, in that order. */
-    std::vector<ConsideredCandidate> considered;
-    /** Of each of `matches`, which keypoints they are. */
-    std::vector<Match> keypoint_matches{};
-    DepthSource depth_source = DepthSource::none;  ///< of this frame's own depths
-    /** Of an accepted loop: the metric pose of query from candidate, or why there is none. Nothing
-     *  when [relative_pose] is not enabled. */
-    std::optional<RelativePose> pose{};
-    GlobalDescriptor global{};  ///< of this frame; empty for one that could not be used
-};
-
 /** The FILD pipeline, An et al., IROS 2019, Figure 2: finds for each frame the earlier frame that
  *  shows the same place, or says why there is none.
  *
  *  Takes frames in increasing id. Time stamps may be wrong or missing (0), and the clock may be set
  *  on the way: the delay goes on as RecordingClock says. A frame of a camera that stands still is
  *  no candidate later, and the delay waits until it moves: TIndexOptions::still_seconds.
+ *  Every frame gets one verdict, in order: at once, or with TConsistencyOptions::look_ahead_seconds
+ *  when later frames have been seen.
  *  Deterministic: the same descriptions and
  *  options give the same verdicts. Not thread-safe: one caller at a time. */
 class LoopDetector
@@ -56,10 +43,18 @@ class LoopDetector
     /** \param global_dimension  length of the global descriptors that will come. */
     LoopDetector(const TDetectorOptions& options, std::size_t global_dimension);
 
-    /** \param times receives "index_insertion", "index_search", "matching", "verification",
-     * "evidence" and "relative_pose". \throw std::invalid_argument when ids do not increase or a
-     * descriptor has another length; nothing has changed then. */
-    DetectorOutcome process(FrameDescription description, StageTimes& times);
+    /** Takes the next frame.
+     *  \param times receives "index_insertion", "index_search", "matching", "verification",
+     *  "evidence", "look_ahead" and "relative_pose".
+     *  \return the frames whose verdict can now be given, oldest first. Without look-ahead this frame,
+     *  and no other.
+     *  \throw std::invalid_argument when ids do not increase or a descriptor has another length;
+     *  nothing has changed then. */
+    std::vector<DetectorOutcome> process(FrameDescription description, StageTimes& times);
+
+    /** Gives the verdicts that still wait for later frames, at the end of the recording: none without
+     *  look-ahead. */
+    std::vector<DetectorOutcome> finish(StageTimes& times);
 
     /** What is kept of a frame; null for one that was not processed, or could not be used. Valid
      *  until the next call of process(). */
@@ -80,15 +75,20 @@ class LoopDetector
     DetectorOutcome find_loop(const FrameDescription& query, StageTimes& times) const;
     std::vector<Candidate> promising(const FrameDescription& query,
                                      const std::vector<Candidate>& answers) const;
-    DetectorOutcome verify(const FrameDescription& query,
-                           const Candidate& candidate,
-                           ConsideredCandidate& entry,
-                           StageTimes& times) const;
+    void verify(const HashedFeatures& query,
+                ConsideredCandidate& entry,
+                DetectorOutcome& outcome,
+                StageTimes& times) const;
     void follow_neighbours(const FrameDescription& query, Trials& trials) const;
     std::optional<FrameId> neighbour_of(FrameId place, bool later) const;
     void check_consistency(DetectorOutcome& outcome);
     void ask_belief(DetectorOutcome& outcome);
-    void add_pose(DetectorOutcome& outcome, const FrameDescription& query, StageTimes& times) const;
+    void judge(FrameVerdict& verdict, Rejection of_pair, double probability) const;
+    std::vector<BelievableCandidate> believable(const DetectorOutcome& outcome) const;
+    std::vector<DetectorOutcome> take_due(StageTimes& times);
+    DetectorOutcome decide(WaitingVerdict waiting, StageTimes& times);
+    void ask_later_frames(DetectorOutcome& outcome, StageTimes& times) const;
+    void add_pose(DetectorOutcome& outcome, StageTimes& times) const;
     std::optional<FrameId> enqueue(const FrameDescription& description, StageTimes& times);
     void remember(FrameDescription description, std::optional<FrameId> stands_since);
 
@@ -105,10 +105,14 @@ class LoopDetector
     std::optional<SamePlaceModel> model_;  ///< none: [same_place] is off
     std::optional<PlaceBelief> belief_;  ///< none: consecutive frames are counted
     double min_pair_log_odds_ = 0;  ///< of a pair that the belief may accept
+    int near_places_ = 0;
+    std::optional<PlaceSmoother> smoother_;  ///< of the waiting frames; none: no look-ahead
+    WaitingVerdicts waiting_;
 
     std::unordered_map<FrameId, Place> places_;
     std::size_t map_bytes_ = 0;
     RecordingClock clock_;
+    double now_ = 0;  ///< of the last usable frame, by the clock
     Standstill standstill_;
     std::optional<FrameId> last_frame_;
     std::optional<FrameId> last_released_;  ///< by the delay queue

@@ -4,6 +4,7 @@
 #include "fild/core/pair_evidence.h"
 #include "fild/core/verdict.h"
 #include "fild/detector/detector_options.h"
+#include "fild/detector/place_states.h"
 
 #include <cstddef>
 #include <optional>
@@ -12,6 +13,9 @@
 
 namespace fild
 {
+/** Places on either side of a compared one to which its evidence applies, too. */
+constexpr int kEvidenceReach = 3;
+
 /** A place that was compared with the current frame. Without odds: it had too few inliers. */
 struct ComparedPlace
 {
@@ -23,6 +27,8 @@ struct ComparedPlace
  *  ground, at one of the map's places, or at a place that only looks like one of them. From frame to
  *  frame it moves along the earlier path in either direction, jumps, leaves or returns. So a doubtful
  *  frame within a clear return is accepted, and one convincing frame in a row of look-alikes is not.
+ *  This is the forward pass: a frame is judged by itself and the frames before. PlaceSmoother is the
+ *  backward pass.
  *
  *  Cost of a frame: linear in the number of places, a few nanoseconds each. Deterministic. Not
  *  thread-safe: one caller at a time. */
@@ -45,22 +51,24 @@ class PlaceBelief
      *  0.2. */
     std::optional<FrameId> likeliest() const;
 
- private:
-    struct Places
-    {
-        std::vector<double> same;  ///< probability to be at each place
-        std::vector<double> look_alike;  ///< probability to be at a look-alike of each place
-    };
+    /** The place of a frame that was added. */
+    std::size_t place_of(FrameId frame) const { return places_of_frames_.at(frame); }
 
+    /** The probability of each state after the last update. */
+    const PlaceStates& states() const { return at_; }
+
+    /** What the frame of the last update told. */
+    const PlaceEvidence& evidence() const { return evidence_; }
+
+ private:
+    PlaceEvidence evidence_of(const std::vector<ComparedPlace>& compared) const;
     void move(const std::vector<std::size_t>& entrances);
-    void weigh(const std::vector<ComparedPlace>& compared);
-    double sum_of_same() const;
 
     TConsistencyOptions options_;
     std::vector<FrameId> frames_;
     std::unordered_map<FrameId, std::size_t> places_of_frames_;
-    Places at_;
-    double new_ground_ = 1;  ///< probability to be there
+    PlaceStates at_{1, {}, {}};  ///< probability of each state
+    PlaceEvidence evidence_;
 };
 
 }  // namespace fild

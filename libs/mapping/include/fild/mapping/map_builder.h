@@ -65,7 +65,10 @@ class MapBuilder
     void feed(const mrpt::obs::CObservation& observation) { trajectory_.feed(observation); }
     void feed(const mrpt::obs::CActionCollection& actions) { trajectory_.feed(actions); }
 
-    /** The detector's answer for a camera frame, after its observation was fed. */
+    /** A camera frame, after its observation was fed. */
+    void add_frame(FrameId frame, double timestamp);
+
+    /** The detector's answer for one of these frames, in their order. */
     void add(const DetectorOutcome& outcome);
 
     /** The map of all so far.

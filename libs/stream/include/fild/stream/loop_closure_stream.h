@@ -38,11 +38,23 @@ struct TLoopClosureStreamOptions
 TLoopClosureStreamOptions load_stream_options(const std::string& ini_path,
                                               const std::vector<std::string>& overrides = {});
 
+/** What came of a camera frame. */
+struct FedFrame
+{
+    FrameId frame{};
+    double timestamp = 0;  ///< seconds since the UNIX epoch
+    /** The frames whose verdict can now be given, oldest first. Without [consistency]
+     *  look_ahead_seconds this frame, and no other. */
+    std::vector<DetectorOutcome> decided{};
+};
+
 /** Finds loop closures in a stream of MRPT observations, fed one by one as on a robot.
  *  \code
  *  fild::LoopClosureStream stream(fild::load_stream_options("default.ini"));
- *  if (const auto outcome = stream.feed(*observation); outcome && outcome->verdict.accepted())
- *      std::cout << "back at frame " << to_index(outcome->verdict.candidate->frame) << "\n";
+ *  if (const auto fed = stream.feed(*observation))
+ *      for (const auto& outcome : fed->decided)
+ *          if (outcome.verdict.accepted())
+ *              std::cout << "back at frame " << to_index(outcome.verdict.candidate->frame) << "\n";
  *  \endcode
  *  With [relative_pose] enabled, and as far as the recording has depth, an accepted loop has its
  *  metric pose (DetectorOutcome::pose).
@@ -59,9 +71,12 @@ class LoopClosureStream
                                const std::string& rawlog_path = "");
 
     /** Looks at one observation. Nothing comes back for observations that are not of the wanted
-     *  camera; every camera frame gets a verdict.
+     *  camera; every camera frame gets a verdict, in order.
      *  \throw std::runtime_error as FrameBuilder::build. */
-    std::optional<DetectorOutcome> feed(const mrpt::obs::CObservation& observation);
+    std::optional<FedFrame> feed(const mrpt::obs::CObservation& observation);
+
+    /** At the end of the recording: the verdicts that still wait for later frames. */
+    std::vector<DetectorOutcome> finish() { return detector_.finish(times_); }
 
     const FrameBuilder& frames() const { return frames_; }
     const LoopDetector& detector() const { return detector_; }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fild/detector/candidate_choice.h"
+
+#include "fild/detector/place_belief.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <tuple>
+
+namespace fild
+{
+namespace
+{
+bool is_within(int reach, std::size_t a, std::size_t b)
+{
+    return std::abs(static_cast<long>(a) - static_cast<long>(b)) <= reach;
+}
+}  // namespace
+
+bool came_further(const ConsideredCandidate& a, const ConsideredCandidate& b)
+{
+    const auto evidence = [](const ConsideredCandidate& each)
+    { return each.odds ? each.odds->log_odds() : -std::numeric_limits<double>::infinity(); };
+    return std::make_tuple(evidence(a), a.inliers, a.matches) >
+           std::make_tuple(evidence(b), b.inliers, b.matches);
+}
+
+const ConsideredCandidate& most_probable(const std::vector<BelievableCandidate>& candidates,
+                                         const PlaceStates& states)
+{
+    const auto likeliest =
+        std::max_element(candidates.begin(),
+                         candidates.end(),
+                         [&](const BelievableCandidate& a, const BelievableCandidate& b)
+                         { return states.same[a.place] < states.same[b.place]; });
+    const auto* best = likeliest->entry;
+    for (const auto& [entry, place] : candidates)
+        if (is_within(kEvidenceReach, place, likeliest->place) && came_further(*entry, *best))
+            best = entry;
+    return *best;
+}
+
+double probability_near(const std::vector<BelievableCandidate>& candidates,
+                        const PlaceStates& states,
+                        int reach)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < states.same.size(); ++i)
+        if (std::any_of(candidates.begin(),
+                        candidates.end(),
+                        [&](const BelievableCandidate& each)
+                        { return is_within(reach, each.place, i); }))
+            sum += states.same[i];
+    return sum;
+}
+
+}  // namespace fild
