@@ -18,7 +18,7 @@ std::string unusable_by_reason(const RunSummary& summary)
     return text;
 }
 
-std::size_t count_of(const RunSummary& summary, Rejection rejection)
+std::size_t frames_rejected(const RunSummary& summary, Rejection rejection)
 {
     const auto found = summary.frames_by_rejection.find(rejection);
     return found == summary.frames_by_rejection.end() ? 0 : found->second;
@@ -67,7 +67,7 @@ std::vector<std::string> notes_on_frames(const Gathered& gathered,
     for (const auto& label : summary.ignored_camera_labels)
         notes.push_back("camera " + label +
                         " was not looked at; [input] sensor_label chooses cameras");
-    if (const auto missing = count_of(summary, Rejection::missing_image); missing > 0)
+    if (const auto missing = frames_rejected(summary, Rejection::missing_image); missing > 0)
         notes.push_back(std::to_string(missing) +
                         " images are missing or cannot be read, the first is " +
                         frames.first_missing_image() + "; [input] images_dir names their folder");
@@ -81,7 +81,7 @@ std::vector<std::string> notes_on_frames(const Gathered& gathered,
                         std::to_string(summary.camera_frames) +
                         " frames could be used: " + unusable_by_reason(summary));
     const bool was_read_to_its_end = summary.ended_early.empty();
-    if (was_read_to_its_end && usable > 1 && count_of(summary, Rejection::too_early) == usable)
+    if (was_read_to_its_end && usable > 1 && frames_rejected(summary, Rejection::too_early) == usable)
         notes.push_back(why_all_are_early(gathered.verdicts, delay));
     return notes;
 }

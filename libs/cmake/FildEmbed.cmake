@@ -10,4 +10,5 @@ function(fild_embed_text target name file)
     DEPENDS "${file}" "${PROJECT_SOURCE_DIR}/libs/cmake/embed_text.cmake"
     VERBATIM)
   target_sources(${target} PRIVATE "${output}")
+  fild_compile_alone("${output}")  # linting needs no built file then
 endfunction()

@@ -3,6 +3,16 @@
 # What a person building mrpt-fild sees as warnings; never passed on to who links us.
 set(FILD_WARNINGS
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor)
+if(CMAKE_UNITY_BUILD)
+  # A class's hidden part may hold what is in its file's anonymous namespace; g++ sees an included file.
+  list(APPEND FILD_WARNINGS -Wno-subobject-linkage)
+endif()
+
+# fild_compile_alone(<files>): in a unity build, which compiles several files as one, these are compiled
+# by themselves: a name in an anonymous namespace of theirs is in another file, too.
+function(fild_compile_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
 
 # fild_add_module(NAME <module> SOURCES <files> [PUBLIC <targets>] [PRIVATE <targets>])
 #
@@ -35,13 +45,15 @@ function(fild_add_app name)
   install(TARGETS ${name})
 endfunction()
 
-# fild_add_test(<name> LABEL unit|integration|dataset SOURCES <files> PRIVATE <targets> [SUITES <suites>])
+# fild_add_test(<name> [SLOW] LABEL unit|integration|dataset|graphslam SOURCES <files> PRIVATE <targets>
+#   [SUITES <suites>])
 #
 # One executable, which is one ctest case: a process takes a quarter of a second to load MRPT. SUITES
 # are the long GoogleTest suites: each is a case <name>.<suite> of its own, and <name> is the rest.
+# What is SLOW has the label `slow` as well. All executables of a label are the target <label>_tests.
 # FILD_TEST_DATA_DIR reaches the sources as a macro, so that a test can skip and name the missing path.
 function(fild_add_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;PRIVATE;SUITES" ${ARGN})
+  cmake_parse_arguments(arg "SLOW" "LABEL" "SOURCES;PRIVATE;SUITES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_compile_options(${name} PRIVATE ${FILD_TEST_OPTIONS})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
@@ -50,20 +62,25 @@ function(fild_add_test name)
     FILD_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${name} PRIVATE ${arg_PRIVATE} fild_test_main)
 
-  add_dependencies(${arg_LABEL}_tests ${name})
+  set(labels ${arg_LABEL})
+  if(arg_SLOW)
+    list(APPEND labels slow)
+  endif()
+  list(GET labels -1 kind)
+  add_dependencies(${kind}_tests ${name})
 
   set(rest "")
   foreach(suite IN LISTS arg_SUITES)
     set(filter "${suite}.*:*/${suite}.*:*/${suite}/*")
     string(APPEND rest ":${filter}")
-    fild_add_test_case(${name}.${suite} ${arg_LABEL} ${name} --gtest_filter=${filter})
+    fild_add_test_case(${name}.${suite} "${labels}" ${name} --gtest_filter=${filter})
   endforeach()
   string(REGEX REPLACE "^:" "--gtest_filter=-" rest "${rest}")
-  fild_add_test_case(${name} ${arg_LABEL} ${name} ${rest})
+  fild_add_test_case(${name} "${labels}" ${name} ${rest})
 endfunction()
 
-# fild_add_test_case(<case> <label> <executable> [<arguments>]): see fild_add_test.
-function(fild_add_test_case case label executable)
+# fild_add_test_case(<case> <labels> <executable> [<arguments>]): see fild_add_test.
+function(fild_add_test_case case labels executable)
   add_test(NAME ${case} COMMAND ${executable} ${ARGN})
-  set_tests_properties(${case} PROPERTIES LABELS ${label} TIMEOUT 900 SKIP_RETURN_CODE 77)
+  set_tests_properties(${case} PROPERTIES LABELS "${labels}" TIMEOUT 900 SKIP_RETURN_CODE 77)
 endfunction()

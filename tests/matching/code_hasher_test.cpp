@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/matching/code_hasher.h"
 
+#include "code_distance.h"
 #include "random_features.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <stdexcept>
 
 namespace
 {
+using fild::testing::code_distance;
 using fild::testing::random_features;
 using fild::testing::with_noise;
 
@@ -28,18 +29,10 @@ fild::CodeHasher hasher(int bits,
     return {options, {kZeros, kOnes}, seed};
 }
 
-int distance(const fild::BinaryCodes& a, std::size_t i, const fild::BinaryCodes& b, std::size_t j)
-{
-    int bits = 0;
-    for (int w = 0; w < a.words_per_code; ++w)
-        bits += static_cast<int>(std::bitset<64>(a.code(i)[w] ^ b.code(j)[w]).count());
-    return bits;
-}
-
 int differing_bits(const fild::BinaryCodes& a, const fild::BinaryCodes& b)
 {
     int bits = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) bits += distance(a, i, b, i);
+    for (std::size_t i = 0; i < a.size(); ++i) bits += code_distance(a, i, b, i);
     return bits;
 }
 
@@ -75,8 +68,8 @@ TEST(CodeHasher, HammingDistanceGrowsAsTheAngle)
     double far = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
     {
-        near += distance(a, i, b, i);
-        far += distance(a, i, b, (i + 1) % a.size());
+        near += code_distance(a, i, b, i);
+        far += code_distance(a, i, b, (i + 1) % a.size());
     }
     const double expected_near = 256 * std::atan(0.5) / 3.14159265;
     EXPECT_NEAR(near / 400, expected_near, 3);

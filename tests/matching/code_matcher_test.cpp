@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/matching/code_matcher.h"
 
+#include "code_distance.h"
 #include "fild/matching/code_hasher.h"
 #include "random_features.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bitset>
 #include <iterator>
 #include <stdexcept>
 
@@ -15,6 +15,7 @@ namespace
 {
 using fild::BinaryCodes;
 using fild::Match;
+using fild::testing::code_distance;
 using fild::testing::random_features;
 using fild::testing::with_noise;
 
@@ -55,14 +56,6 @@ std::vector<std::pair<std::size_t, std::size_t>> pairs(const std::vector<Match>&
     return result;
 }
 
-int distance(const BinaryCodes& a, std::size_t i, const BinaryCodes& b, std::size_t j)
-{
-    int bits = 0;
-    for (int w = 0; w < a.words_per_code; ++w)
-        bits += static_cast<int>(std::bitset<64>(a.code(i)[w] ^ b.code(j)[w]).count());
-    return bits;
-}
-
 TEST(CodeMatcher, AgreesWithBruteForce)
 {
     const auto query = hash(random_features(150, 1), kExhaustive);
@@ -72,7 +65,7 @@ TEST(CodeMatcher, AgreesWithBruteForce)
     {
         std::vector<std::pair<int, std::size_t>> all;
         for (std::size_t c = 0; c < candidate.size(); ++c)
-            all.emplace_back(distance(query, q, candidate, c), c);
+            all.emplace_back(code_distance(query, q, candidate, c), c);
         std::sort(all.begin(), all.end());
         if (all[0].first <= 0.49 * all[1].first) expected.emplace_back(q, all[0].second);
     }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# demo.sh without an argument, with the installed model: what it promises of the town. Exit code 77: the
-# model is not there, nothing was tested.
+# demo.sh without an argument, with the installed model: what it promises of the town, or with
+# FILD_FULL_TESTS unset of a smaller one. Exit code 77: the model is not there, nothing was tested.
 set -euo pipefail
 
 if [ $# -ne 3 ]; then
@@ -17,15 +17,17 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cd "$work"
+if [ -n "${FILD_FULL_TESTS:-}" ]; then export DEMO_PRESET=demo recall=0.9; else export DEMO_PRESET=tiny recall=0.8; fi
 "$source_dir/datasets-scripts/demo.sh"
 "$python" - << 'END'
-import csv, json, math
+import csv, json, math, os
 
+least_recall = float(os.environ["recall"])
 score = json.load(open("demo-results/evaluation/window_10/evaluation.json"))
 assert score["precision"] == 1, score["precision"]
-assert score["recall"] >= 0.9 and score["segment_recall"] == 1, score
+assert score["recall"] >= least_recall and score["segment_recall"] == 1, score
 exact = json.load(open("demo-results/evaluation/exact/evaluation.json"))
-assert exact["precision"] == 1 and exact["recall"] >= 0.9, exact
+assert exact["precision"] == 1 and exact["recall"] >= least_recall, exact
 
 # Whatever was accepted shows the same houses, as the truth says of it (a line `query candidate 0`: from
 # further off): no look-alike. Nearly all of it is near and seen in the same direction.
