@@ -5,12 +5,13 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <future>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 namespace
@@ -66,16 +67,35 @@ TEST(CrashInTrial, BeginsAnewWhenTheForkWaitsForALockOfAnotherThread)
             std::this_thread::sleep_for(std::chrono::milliseconds(500));
         });
     is_locked.get_future().wait();
-    EXPECT_EQ(fild::crash_in_trial([&] { const std::lock_guard lock(mutex); },
-                                   {std::size_t{64} << 20U, 1, 1}),
-              "");
+    EXPECT_EQ(crash_of([&] { const std::lock_guard lock(mutex); }), "");
     other.join();
 }
 
-TEST(CrashInTrial, EndsATaskThatWaitsWithoutEnd)
+TEST(CrashInTrial, EndsATaskThatWaitsForALockWithoutEnd)
 {
-    EXPECT_EQ(fild::crash_in_trial([] { ::pause(); }, {std::size_t{64} << 20U, 1, 1}),
-              "waiting without end");
+    std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    EXPECT_EQ(crash_of([&] { const std::lock_guard again(mutex); }),
+              "waiting for a lock without end");
+}
+
+TEST(CrashInTrial, LetsATaskWaitForASlowFile)
+{
+    EXPECT_EQ(crash_of([] { std::this_thread::sleep_for(std::chrono::milliseconds(2500)); }), "");
+}
+
+TEST(CrashInTrial, KnowsTheOutcomeWhenTheProgramIgnoresItsChildren)
+{
+    auto* const before = std::signal(SIGCHLD, SIG_IGN);
+    EXPECT_EQ(crash_of([] {}), "");
+    EXPECT_EQ(crash_of([] { throw std::bad_alloc(); }), "more than 64 MB of memory");
+    EXPECT_EQ(crash_of([] { std::raise(SIGSEGV); }), "an unknown reason");
+    std::signal(SIGCHLD, before);
+}
+
+TEST(CrashInTrial, CountsAnEarlyExit)
+{
+    EXPECT_EQ(crash_of([] { std::_Exit(0); }), "an early exit");
 }
 
 TEST(CrashInTrial, ChangesNothingHere)
