@@ -24,8 +24,7 @@ inline double squared_distance(const float* a, const float* b)
     return sum;
 }
 
-/** Nearest neighbours of the queries among candidates of the same Laplacian sign, by exhaustive
- *  search, kept when nearest <= ratio * second nearest (Lowe). ratio = 1 keeps all. */
+/** Nearest neighbours of the queries among the candidates, by exhaustive search, kept when nearest <= ratio * second nearest (Lowe). ratio = 1 keeps all. */
 inline std::vector<DescriptorMatch> match_by_ratio(const LocalFeatures& queries,
                                                    const LocalFeatures& candidates,
                                                    double ratio)
@@ -39,7 +38,6 @@ inline std::vector<DescriptorMatch> match_by_ratio(const LocalFeatures& queries,
         for (std::size_t c = 0; c < candidates.size(); ++c)
         {
             const auto& candidate = candidates.keypoints[c];
-            if (candidate.laplacian_sign != queries.keypoints[q].laplacian_sign) continue;
             const double distance =
                 squared_distance(queries.descriptor(q), candidates.descriptor(c));
             if (distance < best)

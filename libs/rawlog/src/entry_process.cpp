@@ -146,9 +146,13 @@ std::optional<NextEntry> EntryProcess::receive_entry()
         if (!receive(content.data(), content.size())) break;
         stored_bytes_read_ = header.stored_bytes_read;
         next.kind = header.kind;
-        if (header.kind == EntryMessageKind::failure) next.reason = content;
-        if (header.kind != EntryMessageKind::bytes) return next;
-        next.bytes.append(std::move(content));
+        if (header.kind == EntryMessageKind::bytes)
+        {
+            next.bytes.append(std::move(content));
+            continue;
+        }
+        next.reason = std::move(content);
+        return next;
     }
     if (is_stuck_) return std::nullopt;
     return failure(reason_of_its_end());

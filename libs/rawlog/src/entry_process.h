@@ -30,9 +30,9 @@ class EntryBytes : public mrpt::serialization::CArchive
 /** What follows in a rawlog. */
 struct NextEntry
 {
-    EntryMessageKind kind = EntryMessageKind::end;  ///< entry, end or failure
+    EntryMessageKind kind = EntryMessageKind::end;  ///< all but bytes
     EntryBytes bytes;  ///< of an entry
-    std::string reason;  ///< of a failure, in one line
+    std::string reason;  ///< of a failure, in one line; or the unknown object
 };
 
 /** A process that tries each entry of a rawlog before it is let in here: see send_entries(). It is a

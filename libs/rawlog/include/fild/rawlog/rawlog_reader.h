@@ -18,7 +18,8 @@ namespace fild
 constexpr int kDefaultMaxEntryMegabytes = 256;
 
 /** A rawlog that stops in the middle: it was cut off, is damaged, has an entry larger than allowed,
- *  or holds a class of object that is not known here and so cannot be stepped over. All that next() gave before is good. */
+ *  or holds an object of a class, or of a version, that this MRPT does not know and so cannot step
+ *  over. All that next() gave before is good. */
 class TruncatedRawlog : public std::runtime_error
 {
  public:
