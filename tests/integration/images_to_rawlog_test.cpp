@@ -219,7 +219,7 @@ TEST_F(ImagesToRawlog, TellsWrongUsage)
 {
     EXPECT_THAT(error_of("", 2),
                 AllOf(HasSubstr("--output"), HasSubstr("--images"), HasSubstr("--list")));
-    EXPECT_THAT(error_of("--images in --rate 1", 2), HasSubstr("required"));
+    EXPECT_THAT(error_of("--images in --rate 1", 2), HasSubstr("missing: --output"));
     EXPECT_THAT(error_of("--images in --list x --rate 1 --output run.rawlog", 2),
                 HasSubstr("--list"));
     EXPECT_THAT(error_of("--images in --rate fast --output run.rawlog", 2), HasSubstr("'fast'"));
