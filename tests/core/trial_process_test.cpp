@@ -6,12 +6,15 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <future>
 #include <mutex>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <sys/resource.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace
@@ -43,6 +46,25 @@ TEST(CrashInTrial, BoundsMemory)
     { return [=] { std::vector<char>(megabytes << 20U, 'a').swap(*new std::vector<char>); }; };
     EXPECT_EQ(crash_of(take(16)), "");
     EXPECT_EQ(crash_of(take(100)), "more than 64 MB of memory");
+}
+
+/** Then the task throws here what it threw there: it is not the file's fault. */
+TEST(CrashInTrial, IsNoneWhenTheSystemGrantsLessMemoryThanTheLimit)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the sanitizers take more address space than any limit grants";
+#endif
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    rlimit before{};
+    getrlimit(RLIMIT_AS, &before);
+    auto limit = before;
+    limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (32U << 20U);
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
+    const auto crash = crash_of(
+        [] { std::vector<char>(std::size_t{48} << 20U, 'a').swap(*new std::vector<char>); });
+    setrlimit(RLIMIT_AS, &before);
+    EXPECT_EQ(crash, "");
 }
 
 TEST(CrashInTrial, BoundsComputing)

@@ -55,13 +55,27 @@ void set_limit(__rlimit_resource resource, rlim_t value)
     setrlimit(resource, &limit);
 }
 
-/** Memory of its own that this process may write to; 0 when the system does not tell. */
-std::size_t data_bytes()
+/** A column of /proc/self/statm, in bytes; 0 when the system does not tell. */
+std::size_t statm_bytes(std::size_t column)
 {
     std::ifstream statistics("/proc/self/statm");
     std::array<std::size_t, 6> pages{};
     for (auto& each : pages) statistics >> each;
-    return statistics ? pages[5] * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
+    return statistics ? pages.at(column) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/** Memory of its own that this process may write to. */
+std::size_t data_bytes()
+{
+    return statm_bytes(5);
+}
+
+/** Whether `ulimit -v` ends the memory of this process before it has taken so much more. */
+bool system_grants_less(std::size_t more_bytes)
+{
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+    return statm_bytes(0) + more_bytes > limit.rlim_cur;
 }
 
 /** What a trial writes to its pipe. The exit status would not do: a program that ignores SIGCHLD never
@@ -190,7 +204,7 @@ std::optional<std::string> end_of(const Trial& trial, const TrialLimits& limits)
     auto reason = reason_of_end(trial.process);
     if (!has_ended) return std::nullopt;
     if (!result) return reason.empty() ? "an early exit" : reason;
-    if (*result == TrialResult::passed) return "";
+    if (*result == TrialResult::passed || system_grants_less(limits.bytes)) return "";
     return "more than " + std::to_string(limits.bytes >> 20U) + " MB of memory";
 }
 }  // namespace

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 
 namespace fild
@@ -41,9 +42,11 @@ std::string files_of(const TGlobalDescriptorOptions& options)
     return options.model_file + " with " + options.caffe_prototxt_file;
 }
 
-/** OpenCV's own words, of which the first line says what is wrong. */
+/** OpenCV's own words, of which the first line says what is wrong.
+ *  \throw std::bad_alloc when that is a lack of memory. */
 std::string reason_of(const cv::Exception& error)
 {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
     return error.err.substr(0, error.err.find('\n'));
 }
 

@@ -43,8 +43,8 @@ bool wait_for_pipe(int pipe, pid_t process, int idle_seconds);
 /** Runs a task in a fork of this process first, for libraries that crash or take all memory on a bad
  *  file because they trust what they read. As after any fork, locks that other threads hold at that
  *  moment stay locked in it; a trial that waits for one is ended and begun anew, twice.
- *  \param task  its exceptions count as success, except when memory is out: here it will throw the
- *  same, to a caller who can say more of it.
+ *  \param task  its exceptions count as success, except when it needs more memory than
+ *  `limits.bytes`: here it will throw the same, to a caller who can say more of it.
  *  \return why the task must not be done here; empty: it may be.
  *  \throw std::runtime_error when no process can be started. */
 std::string crash_in_trial(const std::function<void()>& task, const TrialLimits& limits);
