@@ -17,10 +17,12 @@ struct DescriptorMatch
     const Keypoint* candidate = nullptr;
 };
 
-inline double squared_distance(const float* a, const float* b)
+/** Where it is more than `at_most`, some other number that is, too. */
+inline double squared_distance(const float* a, const float* b, double at_most)
 {
     float sum = 0;
-    for (std::size_t i = 0; i < LocalFeatures::dimension; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    for (std::size_t i = 0; i < LocalFeatures::dimension && sum <= at_most; ++i)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
     return sum;
 }
 
@@ -39,7 +41,7 @@ inline std::vector<DescriptorMatch> match_by_ratio(const LocalFeatures& queries,
         {
             const auto& candidate = candidates.keypoints[c];
             const double distance =
-                squared_distance(queries.descriptor(q), candidates.descriptor(c));
+                squared_distance(queries.descriptor(q), candidates.descriptor(c), second);
             if (distance < best)
             {
                 second = best;
