@@ -2,6 +2,7 @@
 #pragma once
 
 #include "error_line.h"
+#include "fild/core/words.h"
 #include "standard_streams.h"
 
 #include <mrpt/3rdparty/tclap/CmdLine.h>
@@ -10,9 +11,11 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace fild
 {
@@ -34,10 +37,40 @@ class ThrowingOutput : public TCLAP::StdOutput
         for (const std::string around : {"Argument: ", "(", ")", " "})
             if (const auto at = about.find(around); at != std::string::npos)
                 about.erase(at, around.size());
-        if (about.empty())
-            for (const auto* arg : command.getArgList())
-                if (arg->isRequired() && !arg->isSet()) about += " --" + arg->getName();
-        throw WrongUsage(error.error() + ": " + about);
+        throw WrongUsage(in_our_words(error.error()) + ": " +
+                         (about.empty() ? missing_arguments(command) : about));
+    }
+
+ private:
+    static std::string in_our_words(const std::string& error)
+    {
+        if (error == "One or more required arguments missing!") return "missing";
+        if (error == "Couldn't find match for argument") return "unknown argument";
+        if (error == "Argument already set!") return "given twice";
+        return error;
+    }
+
+    /** "--images or --list, --output" */
+    static std::string missing_arguments(TCLAP::CmdLineInterface& command)
+    {
+        std::vector<std::string> missing;
+        std::set<const TCLAP::Arg*> of_alternatives;
+        for (const auto& alternatives : command.getXorHandler().getXorList())
+        {
+            std::vector<std::string> names;
+            bool is_given = false;
+            for (const auto* arg : alternatives)
+            {
+                of_alternatives.insert(arg);
+                names.push_back("--" + arg->getName());
+                is_given = is_given || arg->isSet();
+            }
+            if (!is_given) missing.push_back(joined(names, " or "));
+        }
+        for (const auto* arg : command.getArgList())
+            if (arg->isRequired() && !arg->isSet() && of_alternatives.count(arg) == 0)
+                missing.push_back("--" + arg->getName());
+        return joined(missing, ", ");
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app_main.h"
+#include "fild/core/words.h"
 #include "fild/rawlog/image_layouts.h"
 #include "fild/rawlog/image_rawlog.h"
 
@@ -86,7 +87,7 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     Text stamps(
         "", "timestamps", "File with one number of seconds a line", false, "", "FILE", command);
     FormatWords formats;
-    Text format("", "format", "How the recording lies on disk", false, "list", &formats, command);
+    Text format("", "format", "Layout of the recording on disk", false, "list", &formats, command);
     Text output("", "output", "To write; must not exist yet", true, "", "NAME.rawlog", command);
     Text images("", "images", "Folder of images or of the format's sequence", true, "", "DIR");
     Text list("", "list", "List: IMAGE [SECONDS] a line, relative to the list", true, "", "FILE");
@@ -109,9 +110,10 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
 
 void print(const fild::ImageRawlogSummary& summary, const AppOptions& options)
 {
-    std::cout << options.output.rawlog_path << ": " << summary.frames << " frames of "
-              << summary.images << " images";
-    if (summary.depth_images != 0) std::cout << " and " << summary.depth_images << " depth images";
+    std::cout << options.output.rawlog_path << ": " << fild::count_of(summary.frames, "frame")
+              << " of " << fild::count_of(summary.images, "image");
+    if (summary.depth_images != 0)
+        std::cout << " and " << fild::count_of(summary.depth_images, "depth image");
     std::cout << ", " << (summary.images_dir.empty() ? "embedded" : "in " + summary.images_dir)
               << "\n";
     if (!summary.ground_truth_path.empty())

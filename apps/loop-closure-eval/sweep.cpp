@@ -3,6 +3,7 @@
 
 #include "app_main.h"
 #include "fild/core/parallel_for.h"
+#include "fild/core/words.h"
 #include "fild/detector/loop_detector.h"
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/rawlog_reader.h"
@@ -175,11 +176,11 @@ std::vector<std::string> remarks_on(const Recording& recording)
         std::count_if(recording.frames.begin(), recording.frames.end(), is_unusable);
     std::vector<std::string> remarks;
     if (recording.scaled_frames > 0)
-        remarks.push_back(std::to_string(recording.scaled_frames) +
-                          " images were scaled to the size of their camera's first image");
+        remarks.push_back(count_of(recording.scaled_frames, "image was", "images were") +
+                          " scaled to the size of their camera's first image");
     if (unusable == 0) return remarks;
-    auto remark = std::to_string(unusable) + " of " + std::to_string(recording.frames.size()) +
-                  " frames could not be used";
+    auto remark = std::to_string(unusable) + " of " + count_of(recording.frames.size(), "frame") +
+                  " could not be used";
     if (!recording.first_missing_image.empty())
         remark += "; the first image that is missing is " + recording.first_missing_image +
                   ", set [input] images_dir to the folder of the images";

@@ -3,6 +3,7 @@
 
 #include "fild/core/whole_file.h"
 #include "fild/graph/trajectory_files.h"
+#include "fild/graphslam/decider_options.h"
 #include "fild/graphslam/odometry_nrd.h"
 #include "fild/graphslam/visual_loop_erd.h"
 #include "fild/rawlog/rawlog_reader.h"
@@ -151,9 +152,16 @@ class EngineRun
     static constexpr mrpt::graphslam::CWindowManager* kNoWindow = nullptr;
     using EdgeDecider = mrpt::graphslam::deciders::CEdgeRegistrationDecider<Graph>;
 
+    int max_entry_megabytes() const
+    {
+        const auto* const section = request_.with_loops ? "EdgeRegistrationDeciderParameters"
+                                                        : "NodeRegistrationDeciderParameters";
+        return load_decider_options(request_.config, section).stream.input.max_entry_megabytes;
+    }
+
     void read_rawlog()
     {
-        RawlogReader reader(request_.rawlog);
+        RawlogReader reader(request_.rawlog, max_entry_megabytes());
         // Without images it is a matter of seconds.
         ProgressLine progress(request_.quiet || !request_.with_loops, "loop edges");
         while (true)

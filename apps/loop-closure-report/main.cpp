@@ -46,7 +46,7 @@ struct Arguments
     fild::TruthArguments truth{command, false};
     Text output{"o",
                 "output",
-                "Of --compare: the page (comparison.html)",
+                "With --compare: the page to write (comparison.html)",
                 false,
                 "comparison.html",
                 "FILE",
@@ -54,7 +54,7 @@ struct Arguments
     TCLAP::SwitchArg compare{
         "c", "compare", "Compares two output folders of rawlog-loop-closure: DIR DIR", command};
     TCLAP::UnlabeledMultiArg<std::string> compared{
-        "compared", "Of --compare", false, "DIR", command};
+        "compared", "The two folders of --compare", false, "DIR", command};
     Text run{"r", "run", "Output folder of rawlog-loop-closure", false, "", "DIR", command};
 
     /** \throw fild::WrongUsage */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frame_notes.h"
 
+#include "fild/core/words.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +20,7 @@ std::string unusable_by_reason(const RunSummary& summary)
     return text;
 }
 
-std::size_t frames_rejected(const RunSummary& summary, Rejection rejection)
+std::size_t frames_with(Rejection rejection, const RunSummary& summary)
 {
     const auto found = summary.frames_by_rejection.find(rejection);
     return found == summary.frames_by_rejection.end() ? 0 : found->second;
@@ -44,8 +46,8 @@ std::string why_all_are_early(const std::vector<FrameVerdict>& verdicts, const T
 {
     const std::string none = "no frame could be compared with an earlier one: ";
     if (delay.frame_rate > 0)
-        return none + "there are not more than [index] delay_seconds x frame_rate = " +
-               whole(delay.delay_seconds * delay.frame_rate) + " frames";
+        return none + "there are not more frames than [index] delay_seconds x frame_rate = " +
+               whole(delay.delay_seconds * delay.frame_rate);
     const double seconds = recorded_seconds(verdicts);
     const std::string by_frames =
         "set [index] frame_rate, and the delay is counted in frames, whatever the time stamps say";
@@ -67,13 +69,13 @@ std::vector<std::string> notes_on_frames(const Gathered& gathered,
     for (const auto& label : summary.ignored_camera_labels)
         notes.push_back("camera " + label +
                         " was not looked at; [input] sensor_label chooses cameras");
-    if (const auto missing = frames_rejected(summary, Rejection::missing_image); missing > 0)
-        notes.push_back(std::to_string(missing) +
-                        " images are missing or cannot be read, the first is " +
-                        frames.first_missing_image() + "; [input] images_dir names their folder");
+    if (const auto missing = frames_with(Rejection::missing_image, summary); missing > 0)
+        notes.push_back(count_of(missing, "image is", "images are") +
+                        " missing or cannot be read, the first is " + frames.first_missing_image() +
+                        "; [input] images_dir names their folder");
     if (summary.scaled_frames > 0)
-        notes.push_back(std::to_string(summary.scaled_frames) +
-                        " images were scaled to the size of their camera's first image");
+        notes.push_back(count_of(summary.scaled_frames, "image was", "images were") +
+                        " scaled to the size of their camera's first image");
     for (const auto& note : frames.calibration_notes()) notes.push_back(note);
     const auto usable = summary.usable_frames();
     if (usable > 1 && 2 * usable < summary.camera_frames)
@@ -81,7 +83,7 @@ std::vector<std::string> notes_on_frames(const Gathered& gathered,
                         std::to_string(summary.camera_frames) +
                         " frames could be used: " + unusable_by_reason(summary));
     const bool was_read_to_its_end = summary.ended_early.empty();
-    if (was_read_to_its_end && usable > 1 && frames_rejected(summary, Rejection::too_early) == usable)
+    if (was_read_to_its_end && usable > 1 && frames_with(Rejection::too_early, summary) == usable)
         notes.push_back(why_all_are_early(gathered.verdicts, delay));
     return notes;
 }

@@ -2,6 +2,7 @@
 #include "loop_closure_run.h"
 
 #include "error_line.h"
+#include "fild/core/words.h"
 #include "fild/mapping/map_builder.h"
 #include "fild/rawlog/rawlog_reader.h"
 #include "frame_notes.h"
@@ -112,15 +113,15 @@ void print_result(const RunSummary& summary, const std::string& output)
     for (const auto& note : summary.frame_notes) std::cerr << "note: " << note << "\n";
     if (summary.ended_early.empty())  // else one line says why
         for (const auto& note : summary.map.notes) std::cerr << "note: " << note << "\n";
-    std::cout << summary.camera_frames << " frames, " << summary.loop_closures
-              << " loop closures, in " << output << "\n";
+    std::cout << count_of(summary.camera_frames, "frame") << ", "
+              << count_of(summary.loop_closures, "loop closure") << ", in " << output << "\n";
     for (const auto& [rejection, count] : summary.frames_by_rejection)
         if (rejection != Rejection::none)
             std::cout << "  " << to_word(rejection) << ": " << count << " ("
                       << meaning_of(rejection) << ")\n";
     if (summary.map.nodes > 0)
-        std::cout << "map: " << summary.map.nodes << " keyframes, " << summary.map.loop_edges
-                  << " loop edges\n";
+        std::cout << "map: " << count_of(summary.map.nodes, "keyframe") << ", "
+                  << count_of(summary.map.loop_edges, "loop edge") << "\n";
 }
 
 /** The protocol's own words, then the score, then where the single loops are: the rest is in the
@@ -190,7 +191,7 @@ void run_loop_closure(RunRequest request)
     output.write_summary_and_report(start);
     if (!summary.ended_early.empty())
         throw std::runtime_error(summary.ended_early + "; the results of the " +
-                                 std::to_string(summary.camera_frames) + " frames before are in " +
+                                 count_of(summary.camera_frames, "frame") + " before are in " +
                                  request.output);
     if (options.report.write_html)
         std::cout << "look at " << request.output << "/report.html in a browser\n";

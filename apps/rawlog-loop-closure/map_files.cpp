@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_files.h"
 
+#include "fild/core/words.h"
 #include "fild/graph/graph_files.h"
 #include "fild/graph/trajectory_files.h"
 #include "fild/rawlog/frame_builder.h"
@@ -84,7 +85,7 @@ void write_trajectories(const Map& map,
     if (is_kitti && missing > 0)
     {
         notes.push_back("no trajectory files: " + count_of(missing, "frame") +
-                        " without a pose, which KITTI's format cannot tell; set [graph] "
+                        " without a pose, which KITTI's format cannot express; set [graph] "
                         "trajectory_format = tum");
         return;
     }
@@ -119,7 +120,7 @@ std::vector<std::string> write_map_files(const Map& map,
     if (map.graph.nodes.empty())
     {
         notes.emplace_back(
-            "no map: no odometry tells how the robot moved, and no depth of its images does");
+            "no map: it takes odometry, GPS or robot poses, or images with depth (stereo, RGB-D)");
         return notes;
     }
     write_poses(map, folder.file("poses.csv"));
@@ -127,9 +128,8 @@ std::vector<std::string> write_map_files(const Map& map,
     const auto connected = part_of(map.graph, map.parts.front());
     if (map.parts.size() > 1)
         notes.push_back("the pose graph is in " + std::to_string(map.parts.size()) +
-                        " parts that nothing connects, and where they lie to each other is "
-                        "unknown; poses.graph "
-                        "and poses.g2o have the largest, " +
+                        " parts without an edge between them, so their relative poses are unknown; "
+                        "poses.graph and poses.g2o have the largest, " +
                         std::to_string(connected.nodes.size()) + " of " +
                         std::to_string(map.graph.nodes.size()) +
                         " keyframes, the other files have all");

@@ -2,6 +2,7 @@
 #include "map_notes.h"
 
 #include "fild/core/angle.h"
+#include "fild/core/words.h"
 
 #include <array>
 #include <charconv>
@@ -24,18 +25,11 @@ std::string in_short(double number)
     return {text.data(), end.ptr};
 }
 
-std::string joined(const std::vector<std::string>& names)
-{
-    std::string all;
-    for (const auto& name : names) all += (all.empty() ? "" : ", ") + name;
-    return all;
-}
-
 /** Why no reading of the robot's motion was used, where there are some. */
 void add_note_on_sources(const Map& map, Notes& notes)
 {
     if (map.unused_sources.empty()) return;
-    const auto unused = joined(map.unused_sources);
+    const auto unused = joined(map.unused_sources, ", ");
     if (map.trajectory_source == TrajectorySource::recorded)
         notes.push_back("the robot's motion is that of " + map.recorded.source + "; not used: " +
                         unused + "; [graph] motion_source and motion_sensor_label choose");
@@ -149,7 +143,7 @@ void add_note_on_most_loops(const Map& map, const MapSummary& summary, Notes& no
     }
     if (2 * sum > map.loops.size())
         notes.push_back(std::to_string(sum) + " of " + count_of(map.loops.size(), "loop closure") +
-                        " have no part in the map: " + reasons);
+                        (sum == 1 ? " has" : " have") + " no part in the map: " + reasons);
 }
 
 void add_note_on_frames(const Map& map, const MapSummary& summary, Notes& notes)
@@ -159,11 +153,6 @@ void add_note_on_frames(const Map& map, const MapSummary& summary, Notes& notes)
                     " without a pose, for which no motion is known");
 }
 }  // namespace
-
-std::string count_of(std::size_t count, const std::string& thing)
-{
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
 
 std::vector<std::string> notes_on_map(const Map& map,
                                       const MapSummary& summary,

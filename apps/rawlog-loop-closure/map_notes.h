@@ -10,9 +10,6 @@
 
 namespace fild
 {
-/** "1 frame", "2 frames" */
-std::string count_of(std::size_t count, const std::string& thing);
-
 /** For the user: what of the recording's motion was not used or cannot be right, and loops without
  *  an edge.
  *  \param summary  of the map, but for its notes. */

@@ -3,6 +3,7 @@
 #include "app_main.h"
 #include "fild/core/ini_file.h"
 #include "fild/core/whole_file.h"
+#include "fild/core/words.h"
 #include "fild/synthetic/birds_eye.h"
 #include "fild/synthetic/synthetic_recording.h"
 #include "fild/synthetic/town.h"
@@ -81,7 +82,13 @@ std::optional<AppOptions> parse(int argc, char** argv)
     Text sensor("", "sensor", "What the robot sees with", false, "stereo", &known_sensors, command);
     std::vector<std::string> presets{"tiny", "demo", "hard", "large"};
     TCLAP::ValuesConstraint<std::string> known_presets(presets);
-    Text preset("", "preset", "What to begin from", false, "demo", &known_presets, command);
+    Text preset("",
+                "preset",
+                "Size and difficulty of the drive; --config and --set change it",
+                false,
+                "demo",
+                &known_presets,
+                command);
     Text output("o", "output", "The rawlog; must not exist yet", true, "", "FILE.rawlog", command);
     if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
     if (frames.getValue() < 1) throw fild::WrongUsage("--frames must be at least 1");
@@ -158,9 +165,10 @@ void run(const AppOptions& options)
                                              {options.threads - 1, town_of_a_thread});
         });
     if (birds_eye) write_birds_eye(*birds_eye, request.options, *town);
-    std::cout << made.paths.front() << ": " << made.frames << " frames, "
-              << static_cast<long>(made.metres) << " m, " << made.queries_with_loop
-              << " frames with a loop (" << made.loops << " pairs); beside it:";
+    std::cout << made.paths.front() << ": " << fild::count_of(made.frames, "frame") << ", "
+              << static_cast<long>(made.metres) << " m, "
+              << fild::count_of(made.queries_with_loop, "frame") << " with a loop ("
+              << fild::count_of(made.loops, "pair") << "); beside it:";
     for (std::size_t i = 1; i < made.paths.size(); ++i)
         std::cout << (i > 1 ? ", " : " ") << made.paths[i];
     if (birds_eye) std::cout << ", " << options.birds_eye_path;

@@ -7,6 +7,7 @@
 namespace
 {
 using fild::testing::message_of;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class IniFile : public ::testing::Test
@@ -70,7 +71,7 @@ TEST_F(IniFile, RefusesAFolder)
 TEST_F(IniFile, RefusesAMissingFile)
 {
     EXPECT_THAT(message_of<std::runtime_error>([] { fild::load_ini_file("no/such.ini"); }),
-                HasSubstr("no/such.ini"));
+                AllOf(HasSubstr("no/such.ini"), HasSubstr("share/mrpt-fild/config-ini")));
 }
 
 TEST_F(IniFile, OverridesReplaceAndAddKeys)

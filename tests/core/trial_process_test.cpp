@@ -5,10 +5,14 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <fstream>
 #include <future>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string>
+#include <sys/resource.h>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -44,6 +48,25 @@ TEST(CrashInTrial, BoundsMemory)
     EXPECT_EQ(crash_of(take(100)), "more than 64 MB of memory");
 }
 
+/** Then the task throws here what it threw there: it is not the file's fault. */
+TEST(CrashInTrial, IsNoneWhenTheSystemGrantsLessMemoryThanTheLimit)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the sanitizers take more address space than any limit grants";
+#endif
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    rlimit before{};
+    getrlimit(RLIMIT_AS, &before);
+    auto limit = before;
+    limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (32U << 20U);
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
+    const auto crash = crash_of(
+        [] { std::vector<char>(std::size_t{48} << 20U, 'a').swap(*new std::vector<char>); });
+    setrlimit(RLIMIT_AS, &before);
+    EXPECT_EQ(crash, "");
+}
+
 TEST(CrashInTrial, BoundsComputing)
 {
     EXPECT_EQ(crash_of(
@@ -66,16 +89,35 @@ TEST(CrashInTrial, BeginsAnewWhenTheForkWaitsForALockOfAnotherThread)
             std::this_thread::sleep_for(std::chrono::milliseconds(500));
         });
     is_locked.get_future().wait();
-    EXPECT_EQ(fild::crash_in_trial([&] { const std::lock_guard lock(mutex); },
-                                   {std::size_t{64} << 20U, 1, 1}),
-              "");
+    EXPECT_EQ(crash_of([&] { const std::lock_guard lock(mutex); }), "");
     other.join();
 }
 
-TEST(CrashInTrial, EndsATaskThatWaitsWithoutEnd)
+TEST(CrashInTrial, EndsATaskThatWaitsForALockWithoutEnd)
 {
-    EXPECT_EQ(fild::crash_in_trial([] { ::pause(); }, {std::size_t{64} << 20U, 1, 1}),
-              "waiting without end");
+    std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    EXPECT_EQ(crash_of([&] { const std::lock_guard again(mutex); }),
+              "waiting for a lock without end");
+}
+
+TEST(CrashInTrial, LetsATaskWaitForASlowFile)
+{
+    EXPECT_EQ(crash_of([] { std::this_thread::sleep_for(std::chrono::milliseconds(2500)); }), "");
+}
+
+TEST(CrashInTrial, KnowsTheOutcomeWhenTheProgramIgnoresItsChildren)
+{
+    auto* const before = std::signal(SIGCHLD, SIG_IGN);
+    EXPECT_EQ(crash_of([] {}), "");
+    EXPECT_EQ(crash_of([] { throw std::bad_alloc(); }), "more than 64 MB of memory");
+    EXPECT_EQ(crash_of([] { std::raise(SIGSEGV); }), "an unknown reason");
+    std::signal(SIGCHLD, before);
+}
+
+TEST(CrashInTrial, CountsAnEarlyExit)
+{
+    EXPECT_EQ(crash_of([] { std::_Exit(0); }), "an early exit");
 }
 
 TEST(CrashInTrial, ChangesNothingHere)

@@ -48,7 +48,7 @@ TEST_F(Poses, OfKitti)
 TEST_F(Poses, OfKittiMustBeAsManyAsFrames)
 {
     EXPECT_THAT(message_of<std::runtime_error>([&] { kitti("1 0 0 7 0 1 0 8 0 0 1 9\n", 3); }),
-                HasSubstr("1 frames, the run has 3"));
+                HasSubstr("1 frame, the run has 3"));
 }
 
 TEST_F(Poses, OfKittiMustBeRotations)

@@ -80,7 +80,7 @@ TEST(ReadLoopList, PassesOverCommentsAndBlankLines)
 TEST(ReadLoopList, NamesTheLineThatIsWrong)
 {
     EXPECT_THAT(message_of<std::runtime_error>([] { read_list("4 0\n5\n"); }),
-                HasSubstr("line 2: 1 numbers"));
+                HasSubstr("line 2: 1 number"));
     EXPECT_THAT(message_of<std::runtime_error>([] { read_list("4 x\n"); }),
                 HasSubstr("'x' is not a number"));
     EXPECT_THAT(message_of<std::runtime_error>([] { read_list("4 0.5\n"); }),

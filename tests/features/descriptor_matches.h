@@ -17,15 +17,16 @@ struct DescriptorMatch
     const Keypoint* candidate = nullptr;
 };
 
-inline double squared_distance(const float* a, const float* b)
+/** Where it is more than `at_most`, some other number that is, too. */
+inline double squared_distance(const float* a, const float* b, double at_most)
 {
     float sum = 0;
-    for (std::size_t i = 0; i < LocalFeatures::dimension; ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    for (std::size_t i = 0; i < LocalFeatures::dimension && sum <= at_most; ++i)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
     return sum;
 }
 
-/** Nearest neighbours of the queries among candidates of the same Laplacian sign, by exhaustive
- *  search, kept when nearest <= ratio * second nearest (Lowe). ratio = 1 keeps all. */
+/** Nearest neighbours of the queries among the candidates, by exhaustive search, kept when nearest <= ratio * second nearest (Lowe). ratio = 1 keeps all. */
 inline std::vector<DescriptorMatch> match_by_ratio(const LocalFeatures& queries,
                                                    const LocalFeatures& candidates,
                                                    double ratio)
@@ -39,9 +40,8 @@ inline std::vector<DescriptorMatch> match_by_ratio(const LocalFeatures& queries,
         for (std::size_t c = 0; c < candidates.size(); ++c)
         {
             const auto& candidate = candidates.keypoints[c];
-            if (candidate.laplacian_sign != queries.keypoints[q].laplacian_sign) continue;
             const double distance =
-                squared_distance(queries.descriptor(q), candidates.descriptor(c));
+                squared_distance(queries.descriptor(q), candidates.descriptor(c), second);
             if (distance < best)
             {
                 second = best;

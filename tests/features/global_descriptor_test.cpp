@@ -15,7 +15,9 @@ using fild::GlobalDescriptorExtractor;
 using fild::Pooling;
 using fild::TGlobalDescriptorOptions;
 using fild::testing::message_of;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /** The network of make_tiny_network.py, fed with plain pixel values. */
 TGlobalDescriptorOptions tiny_network()
@@ -170,6 +172,20 @@ TEST(GlobalDescriptor, NamesTheCommandThatGetsAMissingModel)
     EXPECT_THAT(construction_error(options), HasSubstr("datasets-scripts/get-model.sh"));
 }
 
+TEST(GlobalDescriptor, BlamesTheMissingOrBadFileOfACaffeNetwork)
+{
+    const fild::testing::TemporaryFolder folder;
+    auto options = tiny_network();
+    options.caffe_prototxt_file = "/no/such/mean.prototxt";
+    EXPECT_THAT(construction_error(options),
+                AllOf(HasSubstr("/no/such/mean.prototxt is not there"),
+                      HasSubstr("[global_descriptor] caffe_prototxt_file"),
+                      Not(HasSubstr("get-model.sh"))));
+    options.caffe_prototxt_file = folder.path("bad.prototxt");
+    fild::testing::write_text(options.caffe_prototxt_file, "no network");
+    EXPECT_THAT(construction_error(options), HasSubstr(options.caffe_prototxt_file));
+}
+
 TEST(GlobalDescriptor, RefusesAFileThatIsNoModel)
 {
     const fild::testing::TemporaryFolder folder;
@@ -245,6 +261,15 @@ TEST(FindModelFile, LooksInTheDataFolderForABareName)
     set_variable("HOME", "/home/nobody");
     EXPECT_EQ(fild::find_model_file("no-such.onnx"),
               "/home/nobody/.local/share/mrpt-fild/no-such.onnx");
+}
+
+TEST(FindModelFile, LooksInNoDataFolderWithoutAHome)
+{
+    ::unsetenv("XDG_DATA_HOME");  // NOLINT(concurrency-mt-unsafe): tests have one thread
+    ::unsetenv("HOME");  // NOLINT(concurrency-mt-unsafe): tests have one thread
+    EXPECT_EQ(fild::find_model_file("no-such.onnx"), "no-such.onnx");
+    set_variable("HOME", "not/absolute");
+    EXPECT_EQ(fild::find_model_file("no-such.onnx"), "no-such.onnx");
 }
 
 }  // namespace

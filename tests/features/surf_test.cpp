@@ -78,7 +78,7 @@ double correct_share(const LocalFeatures& a, const LocalFeatures& b, const Simil
 
 auto fields(const fild::Keypoint& k)
 {
-    return std::make_tuple(k.x, k.y, k.size, k.angle, k.response, k.laplacian_sign);
+    return std::make_tuple(k.x, k.y, k.size, k.angle, k.response);
 }
 
 void expect_same(const LocalFeatures& a, const LocalFeatures& b)

@@ -188,6 +188,11 @@ TEST_F(LoopClosureGraphslam, SaysWhatIsWrong)
     expect_error("--dimensions 4d", 2, "see --help");
     write_text(path("fild.ini"), "[relative_pose]\nenabled = false\n");
     expect_error("", 1, "[relative_pose] enabled=false");
+    write_text(path("fild.ini"), kFildConfig + std::string("[input]\nmax_entry_megabytes = 1\n"));
+    for (const auto* name : {"town.rawlog", "town.gt.tum", "town.loops.txt", "town_Images"})
+        fs::remove_all(path(name));
+    draw("--frames 3 --embed --set sensors.width=1600 --set sensors.height=1200");
+    expect_error("", 1, "more than 1 MB, [input] max_entry_megabytes");
     write_text(path("fild.ini"), "[index]\ncandidate = 1\n");
     expect_error("", 1, "candidate");
     write_text(path("engine.ini"), "[GeneralConfiguration]\nclass_verbosity = 3\n");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "entry_process.h"
+
 #include "drawn_rawlog.h"
-#include "fild/rawlog/rawlog_reader.h"
 
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation.h>
@@ -8,44 +9,52 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <fstream>
+#include <functional>
 #include <future>
 #include <mutex>
 #include <string>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace fild::testing
 {
-/** Reading it takes a lock, as a library may do that the program uses in another thread. */
-class LockingObservation : public mrpt::obs::CObservation
+const auto kTestProcess = ::getpid();
+
+/** Reading it in a fork of the test runs a function, which may wait for a lock as a library's code may. */
+class WaitingObservation : public mrpt::obs::CObservation
 {
-    DEFINE_SERIALIZABLE(LockingObservation, fild::testing)
+    DEFINE_SERIALIZABLE(WaitingObservation, fild::testing)
 
  public:
-    static std::mutex& mutex()
+    static std::function<void()>& on_reading()
     {
-        static std::mutex of_all;
+        static std::function<void()> of_all;
         return of_all;
     }
 
     void getSensorPose(mrpt::poses::CPose3D&) const override {}
     void setSensorPose(const mrpt::poses::CPose3D&) override {}
 };
-IMPLEMENTS_SERIALIZABLE(LockingObservation, CObservation, fild::testing)
+IMPLEMENTS_SERIALIZABLE(WaitingObservation, CObservation, fild::testing)
 
-std::uint8_t LockingObservation::serializeGetVersion() const
+std::uint8_t WaitingObservation::serializeGetVersion() const
 {
     return 0;
 }
 
-void LockingObservation::serializeTo(mrpt::serialization::CArchive& out) const
+void WaitingObservation::serializeTo(mrpt::serialization::CArchive& out) const
 {
     out << sensorLabel;
 }
 
-void LockingObservation::serializeFrom(mrpt::serialization::CArchive& in, std::uint8_t)
+void WaitingObservation::serializeFrom(mrpt::serialization::CArchive& in, std::uint8_t)
 {
-    const std::lock_guard lock(mutex());
+    if (::getpid() != kTestProcess) on_reading()();
     in >> sensorLabel;
 }
 }  // namespace fild::testing
@@ -53,37 +62,117 @@ void LockingObservation::serializeFrom(mrpt::serialization::CArchive& in, std::u
 namespace
 {
 using namespace fild::testing;
+using ::testing::ElementsAre;
+using namespace std::chrono_literals;
 
-mrpt::obs::CObservation::Ptr locking_observation(const std::string& label)
+constexpr std::size_t kMaxEntryBytes = std::size_t{16} << 20U;
+constexpr int kIdleSeconds = 1;
+
+mrpt::obs::CObservation::Ptr waiting_observation(const std::string& label)
 {
-    auto observation = std::make_shared<LockingObservation>();
+    auto observation = std::make_shared<WaitingObservation>();
     observation->sensorLabel = label;
     return observation;
 }
 
-TEST(EntryProcess, IsBegunAnewAtTheSameEntryWhenItWaitsForALockOfAnotherThread)
+/** Waits as for a lock that another thread holds. */
+void wait_for_lock(std::chrono::milliseconds time)
 {
-    mrpt::rtti::registerClass(CLASS_ID(LockingObservation));
-    const TemporaryFolder folder;
-    write_plain(folder.path("locks.rawlog"),
-                {image_observation(draw_image(), 1, "FIRST"),
-                 locking_observation("SECOND"),
-                 locking_observation("THIRD")});
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable never;
+    never.wait_for(lock, time);
+}
+
+class EntryProcess : public ::testing::Test
+{
+ protected:
+    EntryProcess()
+    {
+        mrpt::rtti::registerClass(CLASS_ID(WaitingObservation));
+        write_plain(rawlog(), {waiting_observation("FIRST"), waiting_observation("SECOND")});
+    }
+
+    std::string rawlog() const { return folder_.path("waits.rawlog"); }
+
+    /** How often something was read, this time included, by all processes. */
+    std::uintmax_t count_reading() const
+    {
+        std::ofstream(folder_.path("readings"), std::ios::app) << 'x';
+        return std::filesystem::file_size(folder_.path("readings"));
+    }
+
+    static std::vector<std::string> labels_of(fild::EntryProcess& process)
+    {
+        std::vector<std::string> labels;
+        for (auto next = process.next(); next.kind == fild::EntryMessageKind::entry;
+             next = process.next())
+            labels.push_back(next.bytes.ReadObject<WaitingObservation>()->sensorLabel);
+        return labels;
+    }
+
+ private:
+    TemporaryFolder folder_;
+};
+
+TEST_F(EntryProcess, IsBegunAnewAtTheSameEntryWhenItWaitsForALockOfAnotherThread)
+{
+    std::mutex mutex;
     std::promise<void> is_locked;
     std::thread other(
         [&]
         {
-            const std::lock_guard lock(LockingObservation::mutex());
+            const std::lock_guard lock(mutex);
             is_locked.set_value();
-            std::this_thread::sleep_for(std::chrono::seconds(1));
+            std::this_thread::sleep_for(500ms);
         });
     is_locked.get_future().wait();
-
-    fild::RawlogReader reader(folder.path("locks.rawlog"));
-    std::vector<std::string> labels;
-    while (const auto observation = reader.next()) labels.push_back(observation->sensorLabel);
+    WaitingObservation::on_reading() = [&]
+    {
+        if (count_reading() > 1) const std::lock_guard lock(mutex);
+    };
+    fild::EntryProcess process(rawlog(), kMaxEntryBytes, kIdleSeconds);
+    const auto labels = labels_of(process);
     other.join();
-    EXPECT_THAT(labels, ::testing::ElementsAre("FIRST", "SECOND", "THIRD"));
+    EXPECT_THAT(labels, ElementsAre("FIRST", "SECOND"));
+}
+
+TEST_F(EntryProcess, GivesNoEntryTwiceWhenTheNextProcessIsHeldUp)
+{
+    WaitingObservation::on_reading() = [&]
+    {
+        const auto reading = count_reading();
+        if (reading == 2) wait_for_lock(1min);
+        if (reading == 3) wait_for_lock(2500ms);
+    };
+    fild::EntryProcess process(rawlog(), kMaxEntryBytes, kIdleSeconds);
+    EXPECT_THAT(labels_of(process), ElementsAre("FIRST", "SECOND"));
+}
+
+TEST_F(EntryProcess, WaitsForNoOtherChildWhenTheFileIsGone)
+{
+    const auto other = ::fork();
+    if (other == 0) ::_exit(7);
+    WaitingObservation::on_reading() = [&]
+    {
+        if (count_reading() < 2) return;
+        std::filesystem::remove(rawlog());
+        wait_for_lock(1min);
+    };
+    fild::EntryProcess process(rawlog(), kMaxEntryBytes, kIdleSeconds);
+    EXPECT_THAT(labels_of(process), ElementsAre("FIRST"));
+    int status = 0;
+    EXPECT_EQ(::waitpid(other, &status, 0), other);
+    EXPECT_EQ(WEXITSTATUS(status), 7);
+}
+
+TEST_F(EntryProcess, IsGoneWithTheLastEntry)
+{
+    WaitingObservation::on_reading() = [] {};
+    fild::EntryProcess process(rawlog(), kMaxEntryBytes);
+    EXPECT_THAT(labels_of(process), ElementsAre("FIRST", "SECOND"));
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // there is no child, nor a dead one
+    EXPECT_EQ(process.next().kind, fild::EntryMessageKind::failure);
 }
 
 }  // namespace

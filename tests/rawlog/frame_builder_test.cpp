@@ -306,6 +306,16 @@ TEST(FrameBuilder, FindsExternalImagesBesideTheRawlog)
     }
 }
 
+TEST(FrameBuilder, FindsExternalImagesBesideTheFileThatARawlogIsALinkTo)
+{
+    const TemporaryFolder folder;
+    write_image(folder, "data/run_Images", "a.png");
+    write_text(folder.path("data/run.rawlog"), "");
+    std::filesystem::create_symlink("data/run.rawlog", folder.path("link.rawlog"));
+    FrameBuilder builder(TInputOptions(), folder.path("link.rawlog"));
+    EXPECT_EQ(defect_of(builder, external_observation("a.png", 0)), Rejection::none);
+}
+
 TEST(FrameBuilder, FindsExternalImagesInANamedFolderAndByAbsolutePath)
 {
     const TemporaryFolder folder;

@@ -104,7 +104,7 @@ TEST(ImagesWithDepth, PairsByOrder)
                             kTenHertz,
                             calibration());
                     }),
-                HasSubstr("1 images in the list, 3 in "));
+                HasSubstr("1 image in the list, 3 in "));
     fs::remove(folder.path("d/1.png"));
     const auto recording = read();
     ASSERT_EQ(recording.frames.size(), 2U);
@@ -209,7 +209,7 @@ TEST(KittiLayout, SaysWhatIsMissing)
     fs::remove(folder.path("times.txt"));
     EXPECT_THAT(error(), AllOf(HasSubstr("times.txt does not exist"), HasSubstr("--rate 10")));
     write_text(folder.path("times.txt"), "0\n");
-    EXPECT_THAT(error(), HasSubstr("1 times in " + folder.path("times.txt") + " for 2 images"));
+    EXPECT_THAT(error(), HasSubstr("1 time in " + folder.path("times.txt") + " for 2 images"));
     make_kitti(folder, "");
     fs::remove(folder.path("calib.txt"));
     EXPECT_THAT(error(),

@@ -24,6 +24,7 @@ using fild::TruncatedRawlog;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::vector<std::string> labels_in(const std::string& path)
 {
@@ -157,6 +158,7 @@ TEST(RawlogReader, RefusesAFileWithAnotherObjectOfMrpt)
     EXPECT_THAT(open_error(folder.path("pose.rawlog")), HasSubstr("CPose3D"));
 }
 
+/** A class of another program, as a newer MRPT may have a class that this one does not know. */
 TEST(RawlogReader, NamesAClassItDoesNotKnow)
 {
     const TemporaryFolder folder;
@@ -166,8 +168,48 @@ TEST(RawlogReader, NamesAClassItDoesNotKnow)
     RawlogReader reader(path);
     for (int i = 0; i < 3; ++i) EXPECT_NE(reader.next(), nullptr);
     const auto message = message_of<TruncatedRawlog>([&] { reader.next(); });
-    EXPECT_THAT(message, AllOf(HasSubstr("CAlienObject"), HasSubstr("after 3 entries")));
-    EXPECT_THAT(message, ::testing::Not(HasSubstr("\n")));
+    EXPECT_THAT(message,
+                AllOf(HasSubstr("cannot be read further after 3 entries"),
+                      HasSubstr("does not know CAlienObject, which a newer MRPT writes"),
+                      HasSubstr("rawlog-edit"),
+                      Not(HasSubstr("\n"))));
+}
+
+/** Of an observation by itself, and of one in a frame. */
+TEST(RawlogReader, NamesAVersionThatANewerMrptWrites)
+{
+    const auto odometry = mrpt::obs::CObservationOdometry::Create();
+    auto frame = mrpt::obs::CSensoryFrame::Create();
+    frame->insert(odometry);
+    const TemporaryFolder folder;
+    const auto path = folder.path("newer.rawlog");
+    for (const mrpt::serialization::CSerializable::Ptr& object : Objects{odometry, frame})
+    {
+        write_plain(path, {three_observations()[0], object});
+        auto bytes = read_text(path);
+        const std::string name = "mrpt::obs::CObservationOdometry";
+        bytes.at(bytes.find(name) + name.size()) = 77;
+        write_text(path, bytes);
+        RawlogReader reader(path);
+        EXPECT_NE(reader.next(), nullptr);
+        EXPECT_THAT(message_of<TruncatedRawlog>([&] { reader.next(); }),
+                    AllOf(HasSubstr("cannot be read further after 1 entry,"),
+                          HasSubstr("does not know " + name + " of version 77, which a newer MRPT"),
+                          Not(HasSubstr("damaged after"))));
+    }
+}
+
+TEST(RawlogReader, NamesAVersionOfRawlogObjectsThatANewerMrptWrites)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path("newer.rawlog");
+    write_plain(path, {mrpt::obs::CRawlog::Create()});
+    auto bytes = read_text(path);
+    bytes.at(bytes.find("CRawlog") + 7) = 9;
+    write_text(path, bytes);
+    RawlogReader reader(path);
+    EXPECT_THAT(message_of<TruncatedRawlog>([&] { reader.next(); }),
+                HasSubstr("does not know mrpt::obs::CRawlog of version 9, which a newer MRPT"));
 }
 
 /** How many observations a file gives before its clean end, or before TruncatedRawlog. */
@@ -189,7 +231,7 @@ Reading read_all(const std::string& path)
     {
         EXPECT_EQ(error.entries_read, reading.observations);
         EXPECT_THAT(error.what(), HasSubstr(path));
-        EXPECT_THAT(error.what(), ::testing::Not(HasSubstr("\n")));
+        EXPECT_THAT(error.what(), Not(HasSubstr("\n")));
         EXPECT_THAT(error.what(),
                     ::testing::AnyOf(HasSubstr("the file ends inside an entry"),
                                      HasSubstr("the compressed data is cut off")));
@@ -304,7 +346,7 @@ DamagedReading read_damaged(const std::string& path, int max_megabytes = 64)
             while (const auto observation = reader.next())
                 reading.labels.push_back(observation->sensorLabel);
         });
-    EXPECT_THAT(reading.message, ::testing::Not(HasSubstr("\n")));
+    EXPECT_THAT(reading.message, Not(HasSubstr("\n")));
     return reading;
 }
 
@@ -320,7 +362,7 @@ TEST(RawlogReader, KeepsWhatCameBeforeAnEntryThatCrashesMrpt)
     replace_in(path, bytes_of(48) + bytes_of(64), bytes_of(kMillion) + bytes_of(kMillion));
     const auto reading = read_damaged(path);
     EXPECT_THAT(reading.labels, ElementsAre("LEFT"));
-    EXPECT_THAT(reading.message, AllOf(HasSubstr("after 1 entries"), HasSubstr("ended in")));
+    EXPECT_THAT(reading.message, AllOf(HasSubstr("after 1 entry,"), HasSubstr("ended in")));
 }
 
 TEST(RawlogReader, RefusesASizeBeyondItsLimit)
@@ -357,7 +399,7 @@ TEST(RawlogReader, RefusesObjectsWithinObjectsWithoutEnd)
     write_text(path, read_text(path) + nested);
     const auto reading = read_damaged(path);
     EXPECT_THAT(reading.labels, ElementsAre("LEFT"));
-    EXPECT_THAT(reading.message, HasSubstr("after 1 entries"));
+    EXPECT_THAT(reading.message, HasSubstr("after 1 entry,"));
 }
 
 TEST(RawlogReader, ReadsRawlogsWithinRawlogs)

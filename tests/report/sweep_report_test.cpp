@@ -61,6 +61,13 @@ TEST(SweepText, GivesMeanAndRangeOverSeeds)
                 AllOf(HasSubstr("  7   0.800"), Not(HasSubstr("["))));
 }
 
+TEST(SweepCsv, QuotesValuesThatHoldCommas)
+{
+    const auto report = report_of({"input.sensor_label"}, {point_of({"A,\"B\""}, {run_of(10, 2)})});
+    for (const auto* name : {"sweep.csv", "sweep_runs.csv"})
+        EXPECT_THAT(written(report, name), HasSubstr("\n\"A,\"\"B\"\"\",1,")) << name;
+}
+
 TEST(SweepText, SaysWhatIsUndefined)
 {
     const auto report = report_of({"a.b"}, {point_of({"7"}, {run_of(0, 0)})});

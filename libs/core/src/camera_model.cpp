@@ -2,6 +2,7 @@
 #include "fild/core/camera_model.h"
 
 #include "fild/core/parse_number.h"
+#include "fild/core/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ CameraModel parse_camera_model(const std::string& text, const std::string& origi
     if (count != 6 && count != 10 && count != 11)
         throw std::runtime_error(origin +
                                  ": expected 'fx fy cx cy width height [k1 k2 p1 p2 [k3]]', got " +
-                                 std::to_string(count) + " numbers");
+                                 count_of(count, "number"));
     CameraModel camera;
     camera.fx = numbers[0];
     camera.fy = numbers[1];

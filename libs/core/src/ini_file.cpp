@@ -118,7 +118,10 @@ mrpt::config::CConfigFileMemory load_ini_file(const std::string& path)
 {
     std::ifstream file(path);
     if (!file || std::filesystem::is_directory(path))
-        throw std::runtime_error("cannot read the configuration file " + path);
+        throw std::runtime_error(
+            "cannot read the configuration file " + path +
+            "; the shipped ones are in config-ini of the sources, installed in "
+            "share/mrpt-fild/config-ini");
     mrpt::config::CConfigFileMemory config;
     StrictCopier copier(path, config);
     std::string line;

@@ -27,7 +27,6 @@ namespace fild
 namespace
 {
 constexpr int kKeptDescriptor = 3;  // the first number behind the standard streams
-constexpr int kOutOfMemory = 3;  // exit status
 constexpr int kAttempts = 3;  // of a process that waits for a lock nobody holds
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -56,17 +55,38 @@ void set_limit(__rlimit_resource resource, rlim_t value)
     setrlimit(resource, &limit);
 }
 
-/** Memory of its own that this process may write to; 0 when the system does not tell. */
-std::size_t data_bytes()
+/** A column of /proc/self/statm, in bytes; 0 when the system does not tell. */
+std::size_t statm_bytes(std::size_t column)
 {
     std::ifstream statistics("/proc/self/statm");
     std::array<std::size_t, 6> pages{};
     for (auto& each : pages) statistics >> each;
-    return statistics ? pages[5] * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
+    return statistics ? pages.at(column) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-/** Exit status of a task. */
-int status_of(const std::function<void()>& task)
+/** Memory of its own that this process may write to. */
+std::size_t data_bytes()
+{
+    return statm_bytes(5);
+}
+
+/** Whether `ulimit -v` ends the memory of this process before it has taken so much more. */
+bool system_grants_less(std::size_t more_bytes)
+{
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+    return statm_bytes(0) + more_bytes > limit.rlim_cur;
+}
+
+/** What a trial writes to its pipe. The exit status would not do: a program that ignores SIGCHLD never
+ *  learns it. */
+enum class TrialResult : char
+{
+    passed,
+    out_of_memory
+};
+
+TrialResult result_of(const std::function<void()>& task)
 {
     try
     {
@@ -74,17 +94,17 @@ int status_of(const std::function<void()>& task)
     }
     catch (const std::bad_alloc&)
     {
-        return kOutOfMemory;
+        return TrialResult::out_of_memory;
     }
     catch (const cv::Exception& error)
     {
-        return error.code == cv::Error::StsNoMem ? kOutOfMemory : 0;
+        return error.code == cv::Error::StsNoMem ? TrialResult::out_of_memory : TrialResult::passed;
     }
     catch (const std::exception&)
     {
-        return 0;
+        return TrialResult::passed;
     }
-    return 0;
+    return TrialResult::passed;
 }
 
 [[noreturn]] void try_task(const std::function<void()>& task, const TrialLimits& limits, int pipe)
@@ -92,15 +112,27 @@ int status_of(const std::function<void()>& task)
     become_trial_process(pipe);
     limit_memory(limits.bytes);
     limit_computing(limits.seconds);
-    _exit(status_of(task));  // not the program's destructors
+    const TrialResult result = result_of(task);
+    const auto written = ::write(kKeptDescriptor, &result, sizeof(result));
+    _exit(written == sizeof(result) ? 0 : 1);  // not the program's destructors
 }
 
 /** What a process has done so far. Value type. */
 struct Activity
 {
-    bool is_waiting = false;  ///< for something other than a disk
+    bool waits_for_lock = false;
     unsigned long ticks = 0;  ///< of computing
 };
+
+/** Whether a process that sleeps waits for another thread, and not for a file or a clock. True when the
+ *  system does not tell. */
+bool sleeps_for_thread(pid_t process)
+{
+    std::ifstream file("/proc/" + std::to_string(process) + "/wchan");
+    std::string place;  // in the kernel
+    file >> place;
+    return place.empty() || place == "0" || place.rfind("futex", 0) == 0;
+}
 
 /** None when the system does not tell. */
 std::optional<Activity> activity_of(pid_t process)
@@ -118,13 +150,13 @@ std::optional<Activity> activity_of(pid_t process)
     constexpr int kBetweenStateAndTimes = 10;
     for (int i = 0; i < kBetweenStateAndTimes; ++i) fields >> unused;
     if (!(fields >> user_ticks >> system_ticks)) return std::nullopt;
-    return Activity{state == "S", user_ticks + system_ticks};
+    return Activity{state == "S" && sleeps_for_thread(process), user_ticks + system_ticks};
 }
 
 /** Whether a child that got on as `before` says has not done so since. */
 bool is_idle(const std::optional<Activity>& before, const std::optional<Activity>& now)
 {
-    return before && now && now->is_waiting && now->ticks == before->ticks;
+    return before && now && now->waits_for_lock && now->ticks == before->ticks;
 }
 
 /** A trial that runs, and the pipe that is closed when it ends. Value type. */
@@ -152,15 +184,28 @@ Trial start(const std::function<void()>& task, const TrialLimits& limits)
     throw cannot_start(error_number);
 }
 
-/** What ended a trial, as reason_of_end(); none: it did not get on. */
-std::optional<std::string> end_of(const Trial& trial, int idle_seconds)
+std::optional<TrialResult> read_result(int pipe)
 {
-    const bool has_ended = wait_for_pipe(trial.pipe, trial.process, idle_seconds);
-    if (!has_ended) ::kill(trial.process, SIGKILL);
+    TrialResult result{};
+    ssize_t count = -1;
+    do count = ::read(pipe, &result, sizeof(result));
+    while (count < 0 && errno == EINTR);
+    if (count != sizeof(result)) return std::nullopt;
+    return result;
+}
+
+/** Why the task must not be done here; empty: it may be. None: the trial waited for a lock. */
+std::optional<std::string> end_of(const Trial& trial, const TrialLimits& limits)
+{
+    const bool has_ended = wait_for_pipe(trial.pipe, trial.process, limits.idle_seconds);
+    const auto result = has_ended ? read_result(trial.pipe) : std::nullopt;
     ::close(trial.pipe);
+    if (!has_ended) ::kill(trial.process, SIGKILL);
     auto reason = reason_of_end(trial.process);
     if (!has_ended) return std::nullopt;
-    return reason;
+    if (!result) return reason.empty() ? "an early exit" : reason;
+    if (*result == TrialResult::passed || system_grants_less(limits.bytes)) return "";
+    return "more than " + std::to_string(limits.bytes >> 20U) + " MB of memory";
 }
 }  // namespace
 
@@ -227,14 +272,8 @@ bool wait_for_pipe(int pipe, pid_t process, int idle_seconds)
 std::string crash_in_trial(const std::function<void()>& task, const TrialLimits& limits)
 {
     for (int attempt = 0; attempt < kAttempts; ++attempt)
-    {
-        const auto reason = end_of(start(task, limits), limits.idle_seconds);
-        if (!reason) continue;
-        if (*reason == "status " + std::to_string(kOutOfMemory))
-            return "more than " + std::to_string(limits.bytes >> 20U) + " MB of memory";
-        return *reason;
-    }
-    return "waiting without end";
+        if (auto reason = end_of(start(task, limits), limits)) return *reason;
+    return "waiting for a lock without end";
 }
 
 }  // namespace fild

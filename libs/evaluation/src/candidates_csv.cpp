@@ -2,6 +2,7 @@
 #include "fild/evaluation/candidates_csv.h"
 
 #include "csv_row.h"
+#include "fild/core/words.h"
 #include "rejection_word.h"
 
 #include <cstdint>
@@ -40,8 +41,8 @@ AnswersOfFrames read_candidates_csv(const std::string& path, std::size_t frames)
     {
         const auto frame = row.number<std::uint64_t>(0);
         if (frame >= frames)
-            row.fail("frame " + row.text(0) + ", the run has " + std::to_string(frames) +
-                     " frames from 0");
+            row.fail("frame " + row.text(0) + ", the run has " + count_of(frames, "frame") +
+                     " from 0");
         const auto answer = parse_answer(row, frame);
         if (answer.rank > 0 && answer.rank != ++ranked[frame])
             row.fail("rank " + row.text(1) + " where rank " + std::to_string(ranked[frame]) +

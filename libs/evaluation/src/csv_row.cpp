@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "csv_row.h"
 
+#include "fild/core/words.h"
 #include "fild/evaluation/csv_fields.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ CsvRow::CsvRow(const std::string& record, std::string origin, std::size_t column
     : fields_(split_csv_fields(record)), origin_(std::move(origin))
 {
     if (fields_.size() != columns)
-        fail(std::to_string(fields_.size()) + " columns instead of " + std::to_string(columns));
+        fail(count_of(fields_.size(), "column") + " instead of " + std::to_string(columns));
 }
 
 void CsvRow::fail(const std::string& what) const

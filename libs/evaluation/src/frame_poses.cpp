@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/evaluation/frame_poses.h"
 
+#include "fild/core/words.h"
 #include "number_rows.h"
 
 #include <opencv2/core.hpp>
@@ -139,8 +140,8 @@ std::vector<PosedFrame> read_kitti_poses(const std::string& path,
 {
     const auto rows = read_number_rows(path);
     if (rows.size() != frames.size())
-        throw std::runtime_error(path + " has poses of " + std::to_string(rows.size()) +
-                                 " frames, the run has " + std::to_string(frames.size()) +
+        throw std::runtime_error(path + " has poses of " + count_of(rows.size(), "frame") +
+                                 ", the run has " + std::to_string(frames.size()) +
                                  "; is it of this recording, and whole?");
     std::vector<PosedFrame> posed;
     posed.reserve(rows.size());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/evaluation/ground_truth.h"
 
+#include "fild/core/words.h"
 #include "number_rows.h"
 
 #include <algorithm>
@@ -50,8 +51,9 @@ Format format_of(const std::string& path)
         case 12:
             return Format::kitti_poses;
         default:
-            throw std::runtime_error(rows[0].origin + ": " + std::to_string(rows[0].values.size()) +
-                                     " numbers; ground truth has 2 (QUERY CANDIDATE), 3 (QUERY "
+            throw std::runtime_error(rows[0].origin + ": " +
+                                     count_of(rows[0].values.size(), "number") +
+                                     "; ground truth has 2 (QUERY CANDIDATE), 3 (QUERY "
                                      "CANDIDATE 0), 8 (TUM pose) "
                                      "or 12 (KITTI pose) a line, or is a MATLAB file");
     }
@@ -60,8 +62,8 @@ Format format_of(const std::string& path)
 void require_same_length(const LoopLabels& labels, std::size_t frames, const std::string& path)
 {
     if (labels.frames && *labels.frames != frames)
-        throw std::runtime_error(path + " labels " + std::to_string(*labels.frames) +
-                                 " frames, the run has " + std::to_string(frames) +
+        throw std::runtime_error(path + " labels " + count_of(*labels.frames, "frame") +
+                                 ", the run has " + std::to_string(frames) +
                                  "; is it the truth of this recording?");
     if (labels.earlier_frames.empty() && labels.doubtful.empty())
         throw std::runtime_error("no loop in " + path);
@@ -71,13 +73,8 @@ void require_same_length(const LoopLabels& labels, std::size_t frames, const std
     for (const auto query : queries)
         if (query >= frames)
             throw std::runtime_error(path + " names frame " + std::to_string(query) +
-                                     ", the run has " + std::to_string(frames) +
-                                     " frames from 0; is it the truth of this recording?");
-}
-
-std::string count_of(std::size_t count, const std::string& one, const std::string& many)
-{
-    return std::to_string(count) + " " + (count == 1 ? one : many);
+                                     ", the run has " + count_of(frames, "frame") +
+                                     " from 0; is it the truth of this recording?");
 }
 
 std::vector<std::string> remarks_on(const LoopLabels& labels)

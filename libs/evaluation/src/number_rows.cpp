@@ -2,6 +2,7 @@
 #include "number_rows.h"
 
 #include "fild/core/parse_number.h"
+#include "fild/core/words.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -52,9 +53,8 @@ std::vector<NumberRow> read_number_rows(const std::string& path, std::size_t max
 void require_numbers(const NumberRow& row, std::size_t count, const std::string& meaning)
 {
     if (row.values.size() != count)
-        throw std::runtime_error(row.origin + ": " + std::to_string(row.values.size()) +
-                                 " numbers where " + std::to_string(count) +
-                                 " are expected: " + meaning);
+        throw std::runtime_error(row.origin + ": " + count_of(row.values.size(), "number") +
+                                 " where " + std::to_string(count) + " are expected: " + meaning);
 }
 
 }  // namespace fild

@@ -2,6 +2,7 @@
 #include "fild/evaluation/poses_csv.h"
 
 #include "csv_row.h"
+#include "fild/core/words.h"
 
 #include <cmath>
 #include <cstdint>
@@ -36,8 +37,8 @@ RunPoses read_poses_csv(const std::string& path, std::size_t frames)
     {
         const auto frame = row.number<std::uint64_t>(0);
         if (frame >= frames)
-            row.fail("frame " + row.text(0) + ", the run has " + std::to_string(frames) +
-                     " frames from 0");
+            row.fail("frame " + row.text(0) + ", the run has " + count_of(frames, "frame") +
+                     " from 0");
         poses.input[frame] = parse_pose(row, 1);
         poses.optimized[frame] = parse_pose(row, 1 + kNumbersOfPose);
     };

@@ -3,6 +3,7 @@
 
 #include "eigen_poses.h"
 #include "fild/core/angle.h"
+#include "fild/core/words.h"
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -63,8 +64,8 @@ PosePairs pair_by_time(const std::vector<TimedPose>& trajectory,
     }
     constexpr std::size_t kLeastPairs = 3;
     if (pairs.truth.size() < kLeastPairs)
-        throw std::runtime_error(std::to_string(pairs.truth.size()) +
-                                 " poses are of the time of a true pose, at least 3 must be; is it "
+        throw std::runtime_error(count_of(pairs.truth.size(), "pose is", "poses are") +
+                                 " of the time of a true pose, at least 3 must be; is it "
                                  "a trajectory of this recording?");
     return pairs;
 }

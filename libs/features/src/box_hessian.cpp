@@ -132,12 +132,4 @@ void fill_determinants(const IntegralImage& integral,
     }
 }
 
-std::int8_t laplacian_sign(const IntegralImage& integral, BoxMask mask, int x, int y)
-{
-    MaskRow sums(integral, mask);
-    sums.move_to(y);
-    const auto sum = sums.at(x);
-    return sum.xx + sum.yy >= 0 ? std::int8_t{1} : std::int8_t{-1};
-}
-
 }  // namespace fild

@@ -50,7 +50,4 @@ void fill_determinants(const IntegralImage& integral,
                        int first_row,
                        int last_row);
 
-/** Sign of Dxx + Dyy at a pixel where the mask fits: +1 dark blob on light, -1 light on dark. */
-std::int8_t laplacian_sign(const IntegralImage& integral, BoxMask mask, int x, int y);
-
 }  // namespace fild

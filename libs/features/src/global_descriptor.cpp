@@ -13,31 +13,46 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <new>
 #include <stdexcept>
 
 namespace fild
 {
 namespace
 {
-void require_file(const std::string& path)
+void require_files(const TGlobalDescriptorOptions& options)
 {
-    if (!std::filesystem::is_regular_file(path))
+    const auto is_file = [](const std::string& path)
+    { return std::filesystem::is_regular_file(path); };
+    if (!is_file(options.model_file))
         throw std::runtime_error(
-            "the model file " + path +
+            "the model file " + options.model_file +
             " is not there; datasets-scripts/get-model.sh gets the default one, "
             "[global_descriptor] model_file names another");
+    if (!options.caffe_prototxt_file.empty() && !is_file(options.caffe_prototxt_file))
+        throw std::runtime_error("the file " + options.caffe_prototxt_file +
+                                 " is not there; [global_descriptor] caffe_prototxt_file names it; "
+                                 "leave it empty where model_file is an ONNX file");
 }
 
-/** OpenCV's own words, of which the first line says what is wrong. */
+/** The file or files of the network, for messages. */
+std::string files_of(const TGlobalDescriptorOptions& options)
+{
+    if (options.caffe_prototxt_file.empty()) return options.model_file;
+    return options.model_file + " with " + options.caffe_prototxt_file;
+}
+
+/** OpenCV's own words, of which the first line says what is wrong.
+ *  \throw std::bad_alloc when that is a lack of memory. */
 std::string reason_of(const cv::Exception& error)
 {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
     return error.err.substr(0, error.err.find('\n'));
 }
 
 cv::dnn::Net read_network(const TGlobalDescriptorOptions& options)
 {
-    require_file(options.model_file);
-    if (!options.caffe_prototxt_file.empty()) require_file(options.caffe_prototxt_file);
+    require_files(options);
     try
     {
         auto net = options.caffe_prototxt_file.empty()
@@ -48,7 +63,7 @@ cv::dnn::Net read_network(const TGlobalDescriptorOptions& options)
     }
     catch (const cv::Exception& error)
     {
-        throw std::runtime_error("cannot read " + options.model_file +
+        throw std::runtime_error("cannot read " + files_of(options) +
                                  " as a network: " + reason_of(error));
     }
 }
@@ -151,7 +166,7 @@ void refuse_crashing_network(const TGlobalDescriptorOptions& options)
         },
         kLimits);
     if (!crash.empty())
-        throw std::runtime_error("cannot read " + options.model_file +
+        throw std::runtime_error("cannot read " + files_of(options) +
                                  " as a network: OpenCV's attempt ended in " + crash +
                                  "; get the file again");
 }

@@ -127,11 +127,7 @@ class Neighbourhood
     const HessianLayer* layers_[3];
 };
 
-Keypoint make_keypoint(const IntegralImage& integral,
-                       const HessianLayer* middle,
-                       int column,
-                       int row,
-                       const cv::Vec3d& offset)
+Keypoint make_keypoint(const HessianLayer* middle, int column, int row, const cv::Vec3d& offset)
 {
     const auto& layer = *middle;
     const int mask_step = (middle + 1)->mask.size() - layer.mask.size();
@@ -140,15 +136,12 @@ Keypoint make_keypoint(const IntegralImage& integral,
     keypoint.y = static_cast<float>((row + offset[1]) * layer.step);
     keypoint.size = static_cast<float>(layer.mask.size() + offset[2] * mask_step);
     keypoint.response = layer.row(row)[column];
-    keypoint.laplacian_sign =
-        laplacian_sign(integral, layer.mask, column * layer.step, row * layer.step);
     return keypoint;
 }
 
 /** Maxima in rows [first_row, last_row) of `middle`, which has a layer on either side in memory.
  *  Only where the larger mask fits at all neighbours: else there is nothing to compare with. */
-std::vector<Keypoint> maxima_in_band(const IntegralImage& integral,
-                                     const HessianLayer* middle,
+std::vector<Keypoint> maxima_in_band(const HessianLayer* middle,
                                      float threshold,
                                      int first_row,
                                      int last_row)
@@ -164,7 +157,7 @@ std::vector<Keypoint> maxima_in_band(const IntegralImage& integral,
             if (!(middle->row(row)[column] > threshold)) continue;
             if (!neighbourhood.is_maximum(column, row)) continue;
             const auto offset = neighbourhood.peak_offset(column, row);
-            if (offset) found.push_back(make_keypoint(integral, middle, column, row, *offset));
+            if (offset) found.push_back(make_keypoint(middle, column, row, *offset));
         }
     return found;
 }
@@ -192,7 +185,6 @@ bool is_stronger(const Keypoint& a, const Keypoint& b)
 /** Maxima of the determinant above the threshold in all layers, strongest first. */
 std::vector<Keypoint> maxima_above(float threshold,
                                    const std::vector<Octave>& pyramid,
-                                   const IntegralImage& integral,
                                    int num_threads)
 {
     std::vector<Keypoint> keypoints;
@@ -207,7 +199,7 @@ std::vector<Keypoint> maxima_above(float threshold,
             [&](const HessianLayer&, int first_row, int last_row)
             {
                 found[static_cast<std::size_t>(first_row / kRowsPerBand)] =
-                    maxima_in_band(integral, middle, threshold, first_row, last_row);
+                    maxima_in_band(middle, threshold, first_row, last_row);
             });
         for (const auto& band : found) keypoints.insert(keypoints.end(), band.begin(), band.end());
     }
@@ -222,11 +214,11 @@ std::vector<Keypoint> find_hessian_maxima(const IntegralImage& integral,
 {
     const auto pyramid = build_pyramid(integral, options, num_threads);
     const auto threshold = static_cast<float>(options.hessian_threshold);
-    auto keypoints = maxima_above(threshold, pyramid, integral, num_threads);
+    auto keypoints = maxima_above(threshold, pyramid, num_threads);
     const auto wanted = static_cast<std::size_t>(options.min_keypoints);
     if (keypoints.size() < wanted)
     {
-        keypoints = maxima_above(threshold / kWeaker, pyramid, integral, num_threads);
+        keypoints = maxima_above(threshold / kWeaker, pyramid, num_threads);
         if (keypoints.size() > wanted) keypoints.resize(wanted);
     }
     const auto limit = static_cast<std::size_t>(options.max_keypoints);

@@ -3,19 +3,26 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 namespace fild
 {
 namespace
 {
-/** The XDG base directory for data, by its specification an absolute path or to be ignored. */
-std::filesystem::path data_folder()
+/** None when there is no such variable, or it is not an absolute path. */
+std::optional<std::filesystem::path> folder_in(const char* variable)
 {
-    const char* const xdg =
-        std::getenv("XDG_DATA_HOME");  // NOLINT(concurrency-mt-unsafe): only read
-    if (xdg != nullptr && std::filesystem::path(xdg).is_absolute()) return xdg;
-    const char* const home = std::getenv("HOME");  // NOLINT(concurrency-mt-unsafe): only read
-    return std::filesystem::path(home != nullptr ? home : "") / ".local" / "share";
+    const char* const value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): only read
+    if (value == nullptr || !std::filesystem::path(value).is_absolute()) return std::nullopt;
+    return value;
+}
+
+/** The XDG base directory for data, by its specification an absolute path or to be ignored. */
+std::optional<std::filesystem::path> data_folder()
+{
+    if (auto folder = folder_in("XDG_DATA_HOME")) return folder;
+    if (const auto home = folder_in("HOME")) return *home / ".local" / "share";
+    return std::nullopt;
 }
 }  // namespace
 
@@ -23,7 +30,8 @@ std::string find_model_file(const std::string& name)
 {
     const std::filesystem::path path(name);
     if (path.has_parent_path() || std::filesystem::exists(path)) return name;
-    return data_folder() / "mrpt-fild" / path;
+    const auto folder = data_folder();
+    return folder ? (*folder / "mrpt-fild" / path).string() : name;
 }
 
 }  // namespace fild

@@ -12,7 +12,8 @@ enum class EntryMessageKind : std::uint32_t
     bytes,  ///< part of an entry, which may yet prove to be bad
     entry,  ///< the bytes since the entry before are one that MRPT reads
     end,  ///< the file has ended, cleanly
-    failure  ///< the entry is bad: why, as text
+    failure,  ///< the entry is bad: why, as text
+    unknown_object  ///< MRPT does not know its class, or version: which, as text
 };
 
 /** Stands before each message on the pipe. Value type. */

@@ -42,6 +42,14 @@ constexpr int kAttempts = 3;  // at one entry
     throw std::runtime_error("cannot start the process that reads the rawlog: " +
                              std::generic_category().message(error_number));
 }
+
+NextEntry failure(std::string reason)
+{
+    NextEntry next;
+    next.kind = EntryMessageKind::failure;
+    next.reason = std::move(reason);
+    return next;
+}
 }  // namespace
 
 std::size_t EntryBytes::read(void* target, std::size_t count)
@@ -66,8 +74,8 @@ std::size_t EntryBytes::write(const void*, std::size_t)
     throw std::logic_error("EntryBytes does not write");
 }
 
-EntryProcess::EntryProcess(std::string rawlog, std::size_t max_entry_bytes)
-    : rawlog_(std::move(rawlog)), max_entry_bytes_(max_entry_bytes)
+EntryProcess::EntryProcess(std::string rawlog, std::size_t max_entry_bytes, int idle_seconds)
+    : rawlog_(std::move(rawlog)), max_entry_bytes_(max_entry_bytes), idle_seconds_(idle_seconds)
 {
     start();
 }
@@ -104,22 +112,28 @@ void EntryProcess::stop()
 
 NextEntry EntryProcess::next()
 {
-    for (int attempt = 0; attempt < kAttempts; ++attempt)
+    if (pipe_ < 0) return failure("the process that reads it has ended");
+    auto next = receive_after(0);
+    for (int attempt = 1; !next && attempt < kAttempts; ++attempt)
     {
-        auto next = receive_entry();
-        if (next)
-        {
-            entries_given_ += next->kind == EntryMessageKind::entry ? 1 : 0;
-            return std::move(*next);
-        }
         stop();
         start();
-        for (std::size_t i = 0; i < entries_given_ && receive_entry(); ++i) continue;
+        next = receive_after(entries_given_);
     }
-    NextEntry failure;
-    failure.kind = EntryMessageKind::failure;
-    failure.reason = "the process that reads it does not get on";
-    return failure;
+    if (!next) next = failure("the process that reads it waits for a lock without end");
+    if (next->kind == EntryMessageKind::entry)
+        ++entries_given_;
+    else
+        stop();
+    return std::move(*next);
+}
+
+std::optional<NextEntry> EntryProcess::receive_after(std::size_t entries)
+{
+    auto next = receive_entry();
+    for (; entries > 0 && next && next->kind == EntryMessageKind::entry; --entries)
+        next = receive_entry();
+    return next;
 }
 
 std::optional<NextEntry> EntryProcess::receive_entry()
@@ -132,21 +146,23 @@ std::optional<NextEntry> EntryProcess::receive_entry()
         if (!receive(content.data(), content.size())) break;
         stored_bytes_read_ = header.stored_bytes_read;
         next.kind = header.kind;
-        if (header.kind == EntryMessageKind::failure) next.reason = content;
-        if (header.kind != EntryMessageKind::bytes) return next;
-        next.bytes.append(std::move(content));
+        if (header.kind == EntryMessageKind::bytes)
+        {
+            next.bytes.append(std::move(content));
+            continue;
+        }
+        next.reason = std::move(content);
+        return next;
     }
     if (is_stuck_) return std::nullopt;
-    next.kind = EntryMessageKind::failure;
-    next.reason = reason_of_its_end();
-    return next;
+    return failure(reason_of_its_end());
 }
 
 bool EntryProcess::receive(void* target, std::size_t count)
 {
     for (std::size_t done = 0; done < count;)
     {
-        is_stuck_ = !wait_for_pipe(pipe_, process_, kIdleSeconds);
+        is_stuck_ = !wait_for_pipe(pipe_, process_, idle_seconds_);
         if (is_stuck_) return false;
         const auto got = ::read(pipe_, static_cast<char*>(target) + done, count - done);
         if (got < 0 && errno == EINTR) continue;

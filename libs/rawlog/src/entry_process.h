@@ -2,6 +2,7 @@
 #pragma once
 
 #include "entry_message.h"
+#include "fild/core/trial_process.h"
 
 #include <mrpt/serialization/CArchive.h>
 
@@ -29,21 +30,21 @@ class EntryBytes : public mrpt::serialization::CArchive
 /** What follows in a rawlog. */
 struct NextEntry
 {
-    EntryMessageKind kind = EntryMessageKind::end;  ///< entry, end or failure
+    EntryMessageKind kind = EntryMessageKind::end;  ///< all but bytes
     EntryBytes bytes;  ///< of an entry
-    std::string reason;  ///< of a failure, in one line
+    std::string reason;  ///< of a failure, in one line; or the unknown object
 };
 
 /** A process that tries each entry of a rawlog before it is let in here: see send_entries(). It is a
  *  fork of this one, without its open files and its terminal. It ends with this object, or with this
- *  process, whichever way that ends. When it does nothing (see kIdleSeconds), another takes its place
- *  at the same entry.
+ *  process, whichever way that ends. When it waits for a lock (see kIdleSeconds), another takes its
+ *  place at the same entry.
  *  Not thread-safe: one caller at a time. */
 class EntryProcess
 {
  public:
     /** \throw std::runtime_error when no process can be started. */
-    EntryProcess(std::string rawlog, std::size_t max_entry_bytes);
+    EntryProcess(std::string rawlog, std::size_t max_entry_bytes, int idle_seconds = kIdleSeconds);
     EntryProcess(const EntryProcess&) = delete;
     EntryProcess& operator=(const EntryProcess&) = delete;
     ~EntryProcess();
@@ -58,13 +59,15 @@ class EntryProcess
     void start();
     void stop();
 
-    /** None when the process does not get on. */
+    /** Passes over `entries` entries, which were given before. None when the process waits for a lock. */
+    std::optional<NextEntry> receive_after(std::size_t entries);
     std::optional<NextEntry> receive_entry();
     bool receive(void* target, std::size_t count);
     std::string reason_of_its_end();
 
     std::string rawlog_;
     std::size_t max_entry_bytes_;
+    int idle_seconds_;
     int pipe_ = -1;
     pid_t process_ = -1;
     bool is_stuck_ = false;

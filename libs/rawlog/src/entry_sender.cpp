@@ -58,11 +58,27 @@ class MessagePipe
     int pipe_;
 };
 
+void send_text(const MessagePipe& pipe,
+               EntryMessageKind kind,
+               std::uint64_t position,
+               const std::string& text)
+{
+    pipe.send(kind, position, text.data(), std::min(text.size(), kMaxMessageBytes));
+}
+
 void send_failure(const MessagePipe& pipe, std::uint64_t position, const std::string& reason)
 {
-    const auto length = std::min(reason.size(), kMaxMessageBytes);
-    pipe.send(EntryMessageKind::failure, position, reason.data(), length);
+    send_text(pipe, EntryMessageKind::failure, position, reason);
 }
+
+/** A serialized CRawlog of a version that EntryWalk cannot step into. */
+struct UnknownRawlog : std::runtime_error
+{
+    explicit UnknownRawlog(int version)
+        : std::runtime_error("mrpt::obs::CRawlog of version " + std::to_string(version))
+    {
+    }
+};
 
 std::string too_large(std::size_t max_entry_bytes)
 {
@@ -105,8 +121,7 @@ class EntryArchive : public mrpt::serialization::CArchive
         internal_ReadObjectHeader(name, is_old_format, version);
         served_ = 0;
         if (mrpt::rtti::findRegisteredClass(name) != CLASS_ID(mrpt::obs::CRawlog)) return false;
-        if (version != 0 && version != 1)
-            throw std::runtime_error("a CRawlog of the unknown version " + std::to_string(version));
+        if (version != 0 && version != 1) throw UnknownRawlog(version);
         has_end_mark = !is_old_format;
         begin_entry();
         return true;
@@ -289,10 +304,17 @@ void send_entries(const std::string& rawlog, std::size_t max_entry_bytes, int pi
     {
         send_failure(messages, position(), too_large(max_entry_bytes));
     }
+    catch (const UnknownRawlog& error)
+    {
+        send_text(messages, EntryMessageKind::unknown_object, position(), error.what());
+    }
     // MRPT asserts with logic_error.
     catch (const std::exception& error)
     {
-        send_failure(messages, position(), mrpt_reason(error));
+        if (const auto object = unknown_object(error))
+            send_text(messages, EntryMessageKind::unknown_object, position(), *object);
+        else
+            send_failure(messages, position(), mrpt_reason(error));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "fild/rawlog/image_list.h"
 
 #include "fild/core/parse_number.h"
+#include "fild/core/words.h"
 #include "folder_entries.h"
 #include "text_lines.h"
 
@@ -140,9 +141,8 @@ std::vector<StampedImage> stamp_images(const std::vector<ListedImage>& images,
     if (!source.file.empty()) stamps = stamps_of_file(source.file);
     if (source.rate_hz) stamps = stamps_at_rate(*source.rate_hz, images);
     if (stamps.size() != images.size())
-        throw std::runtime_error(std::to_string(stamps.size()) + " times in " + source.file +
-                                 " for " + std::to_string(images.size()) +
-                                 " images; there must be one for each");
+        throw std::runtime_error(count_of(stamps.size(), "time") + " in " + source.file + " for " +
+                                 count_of(images.size(), "image") + "; there must be one for each");
     check_stamps(stamps);
     std::vector<StampedImage> stamped;
     stamped.reserve(images.size());

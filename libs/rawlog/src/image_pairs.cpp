@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_pairs.h"
 
+#include "fild/core/words.h"
+
 #include <stdexcept>
 
 namespace fild
@@ -11,7 +13,7 @@ void check_equal_counts(std::size_t images,
                         const std::string& others_place)
 {
     if (images != others)
-        throw std::runtime_error(std::to_string(images) + " images in " + images_place + ", " +
+        throw std::runtime_error(count_of(images, "image") + " in " + images_place + ", " +
                                  std::to_string(others) + " in " + others_place +
                                  "; they are paired by order, so there must be one for each");
 }

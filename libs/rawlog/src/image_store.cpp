@@ -20,15 +20,27 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/** As CRawlog::detectImagesDirectory, whose answer lacks the '/' when no folder exists. */
-std::string usual_images_dir(const fs::path& rawlog)
+/** As CRawlog::detectImagesDirectory; none when no folder exists. */
+std::optional<std::string> images_dir_beside(const fs::path& rawlog)
 {
     const auto folder = rawlog.parent_path();
     const auto name = rawlog.stem().string();
-    for (const auto& candidate : {name + "_Images", name + "_images", name + "_IMAGES"})
-        if (fs::is_directory(folder / candidate)) return (folder / candidate).string();
-    if (fs::is_directory(folder / "Images")) return (folder / "Images").string();
-    return (folder / (name + "_Images")).string();
+    std::error_code error;
+    for (const auto& each :
+         {name + "_Images", name + "_images", name + "_IMAGES", std::string("Images")})
+        if (fs::is_directory(folder / each, error)) return (folder / each).string();
+    return std::nullopt;
+}
+
+/** Beside the rawlog, or beside the file that it is a link to. */
+std::string usual_images_dir(const fs::path& rawlog)
+{
+    if (auto beside = images_dir_beside(rawlog)) return *beside;
+    std::error_code error;
+    const auto file = fs::canonical(rawlog, error);
+    const auto beside_file = error ? std::nullopt : images_dir_beside(file);
+    return beside_file.value_or(
+        (rawlog.parent_path() / (rawlog.stem().string() + "_Images")).string());
 }
 
 bool is_there(const fs::path& path)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <optional>
 #include <string>
 
 namespace fild
@@ -10,5 +11,9 @@ namespace fild
  *  source location and call stack that MRPT puts around it, around our own exceptions too. Bytes
  *  that are not printable ASCII, as the names in damaged files have, become question marks. */
 std::string mrpt_reason(const std::exception& error);
+
+/** The object that MRPT could not read because it does not know its class, or that version of it:
+ *  "mrpt::obs::CObservationOdometry of version 7". None when the exception has another reason. */
+std::optional<std::string> unknown_object(const std::exception& error);
 
 }  // namespace fild

@@ -2,6 +2,7 @@
 #include "fild/rawlog/rawlog_reader.h"
 
 #include "entry_process.h"
+#include "fild/core/words.h"
 #include "gz_archive.h"
 #include "mrpt_reason.h"
 
@@ -10,6 +11,7 @@
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/system/os.h>
 
 #include <algorithm>
 #include <array>
@@ -124,7 +126,11 @@ struct RawlogReader::State
 
     bool read_entry();
     void unpack(const CSerializable::Ptr& object);
-    [[noreturn]] void fail(const std::string& reason);
+    [[noreturn]] void fail_as_damaged(const std::string& reason);
+    [[noreturn]] void fail_at_unknown(const std::string& object);
+    [[noreturn]] void fail(const std::string& state,
+                           const std::string& reason,
+                           const std::string& way_out);
 
     std::string path;
     std::uint64_t size;
@@ -141,7 +147,8 @@ bool RawlogReader::State::read_entry()
     if (failure) throw TruncatedRawlog(*failure);
     if (has_ended) return false;
     auto next = process.next();
-    if (next.kind == EntryMessageKind::failure) fail(next.reason);
+    if (next.kind == EntryMessageKind::failure) fail_as_damaged(next.reason);
+    if (next.kind == EntryMessageKind::unknown_object) fail_at_unknown(next.reason);
     has_ended = next.kind == EntryMessageKind::end;
     if (has_ended) return false;
     CSerializable::Ptr object;
@@ -151,7 +158,7 @@ bool RawlogReader::State::read_entry()
     }
     catch (const std::exception& error)  // less memory than there was in the process
     {
-        fail(mrpt_reason(error));
+        fail_as_damaged(mrpt_reason(error));
     }
     unpack(object);
     ++entries;
@@ -169,13 +176,29 @@ void RawlogReader::State::unpack(const CSerializable::Ptr& object)
             if (each) pending.push_back({each, nullptr});
 }
 
-void RawlogReader::State::fail(const std::string& reason)
+void RawlogReader::State::fail_as_damaged(const std::string& reason)
+{
+    fail("is cut off or damaged", reason, "copy or record it again, or go on with what was read");
+}
+
+void RawlogReader::State::fail_at_unknown(const std::string& object)
+{
+    fail("cannot be read further",
+         mrpt::system::MRPT_getVersion() + " does not know " + object +
+             ", which a newer MRPT writes (or the file is damaged)",
+         "build mrpt-fild with that MRPT, or remove these observations with its rawlog-edit "
+         "--remove-label");
+}
+
+void RawlogReader::State::fail(const std::string& state,
+                               const std::string& reason,
+                               const std::string& way_out)
 {
     const auto position = process.stored_bytes_read();
-    failure.emplace("rawlog " + path + " is cut off or damaged after " + std::to_string(entries) +
-                        " entries, near byte " + std::to_string(position) + " of " +
-                        std::to_string(size) + ": " + reason +
-                        "; copy or record it again, or go on with what was read",
+    failure.emplace("rawlog " + path + " " + state + " after " +
+                        count_of(entries, "entry", "entries") + ", near byte " +
+                        std::to_string(position) + " of " + std::to_string(size) + ": " + reason +
+                        "; " + way_out,
                     entries,
                     position);
     throw TruncatedRawlog(*failure);

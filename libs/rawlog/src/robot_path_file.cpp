@@ -2,6 +2,7 @@
 #include "fild/rawlog/robot_path_file.h"
 
 #include "fild/core/parse_number.h"
+#include "fild/core/words.h"
 #include "text_lines.h"
 
 #include <mrpt/math/CQuaternion.h>
@@ -21,7 +22,7 @@ StampedPose parse_camera_pose(const TextLine& line, const mrpt::math::CQuaternio
     const auto n = parse_numbers(line.text, line.origin);
     if (n.size() != 8)
         throw std::runtime_error(line.origin + ": expected 'seconds x y z qx qy qz qw', got " +
-                                 std::to_string(n.size()) + " numbers");
+                                 count_of(n.size(), "number"));
     const double norm = std::hypot(std::hypot(n[4], n[5]), std::hypot(n[6], n[7]));
     constexpr double kRounding = 0.01;  // four digits are usual
     if (!(std::abs(norm - 1) < kRounding))

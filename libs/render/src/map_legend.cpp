@@ -2,6 +2,7 @@
 #include "map_legend.h"
 
 #include "colour_scale.h"
+#include "fild/core/words.h"
 #include "map_objects.h"
 #include "picture_text.h"
 
@@ -29,11 +30,6 @@ std::string in_metres(double length)
     std::array<char, 40> text{};
     std::snprintf(text.data(), text.size(), length < 100 ? "%.1f m" : "%.0f m", length);
     return text.data();
-}
-
-std::string count_of(std::size_t count, const std::string& thing)
-{
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 double length_of(const std::vector<std::vector<cv::Vec3d>>& ways)

@@ -2,6 +2,7 @@
 #include "csv_table.h"
 
 #include "fild/core/parse_number.h"
+#include "fild/core/words.h"
 #include "fild/evaluation/csv_fields.h"
 
 #include <fstream>
@@ -9,6 +10,14 @@
 
 namespace fild
 {
+std::string csv_field(const std::string& text)
+{
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
 CsvTable::CsvTable(const std::string& path) : path_(path)
 {
     std::ifstream file(path);
@@ -21,7 +30,7 @@ CsvTable::CsvTable(const std::string& path) : path_(path)
         rows_.push_back(split_csv_fields(line));
         if (rows_.back().size() != columns_.size())
             throw std::runtime_error(path + " line " + std::to_string(rows_.size() + 1) + ": " +
-                                     std::to_string(rows_.back().size()) + " columns instead of " +
+                                     count_of(rows_.back().size(), "column") + " instead of " +
                                      std::to_string(columns_.size()));
     }
 }

@@ -8,6 +8,9 @@
 
 namespace fild
 {
+/** The text as one CSV field, in quotes where RFC 4180 wants them. */
+std::string csv_field(const std::string& text);
+
 /** A CSV file of which only some columns are of interest, by the names in its first line. */
 class CsvTable
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation_parts.h"
+#include "fild/core/words.h"
 #include "fild/report/evaluation_report.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ std::vector<MetricRange> shown(std::vector<MetricRange> ranges)
 void add_origin(AlignedLines& lines, const EvaluationReport& report)
 {
     const auto& runs = report.runs;
-    const auto frames = std::to_string(runs.front().score.frames) + " frames";
+    const auto frames = count_of(runs.front().score.frames, "frame");
     if (runs.size() == 1) lines.words("run", runs.front().folder + ", " + frames);
     for (std::size_t i = 0; runs.size() > 1 && i < runs.size(); ++i)
         lines.words("run " + std::to_string(i + 1), runs[i].folder + (i == 0 ? ", " + frames : ""));

@@ -3,6 +3,7 @@
 
 #include "csv_table.h"
 #include "fild/core/angle.h"
+#include "fild/core/words.h"
 #include "rounded.h"
 
 #include <array>
@@ -113,9 +114,8 @@ Json loops_json(const std::vector<FrameVerdict>& frames,
     std::optional<CsvTable> table;
     if (std::filesystem::exists(loops_csv)) table.emplace(loops_csv);
     if (table && table->rows() != accepted.size())
-        throw std::runtime_error(loops_csv + " has " + std::to_string(table->rows()) +
-                                 " loop closures, frames.csv beside it " +
-                                 std::to_string(accepted.size()));
+        throw std::runtime_error(loops_csv + " has " + count_of(table->rows(), "loop closure") +
+                                 ", frames.csv beside it " + std::to_string(accepted.size()));
     Json loops = Json::array();
     for (std::size_t row = 0; row < accepted.size(); ++row)
     {

@@ -4,6 +4,7 @@
 #include "csv_table.h"
 #include "evaluation_parts.h"
 #include "fild/core/spread.h"
+#include "fild/core/words.h"
 #include "fild/evaluation/frames_csv.h"
 #include "fild/evaluation/metric.h"
 #include "loop_edges.h"
@@ -266,8 +267,8 @@ RunFolder read_run_folder(const std::string& path)
     const auto& counts = run.summary.value("frames", Json::object());
     const auto expected = counts.value("camera_frames", run.frames.size());
     if (expected != run.frames.size())
-        throw std::runtime_error(path + "/frames.csv has " + std::to_string(run.frames.size()) +
-                                 " frames, summary.json beside it " + std::to_string(expected) +
+        throw std::runtime_error(path + "/frames.csv has " + count_of(run.frames.size(), "frame") +
+                                 ", summary.json beside it " + std::to_string(expected) +
                                  "; is it cut off?");
     return run;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "csv_table.h"
 #include "sweep_parts.h"
 
 #include <iomanip>
@@ -14,14 +15,14 @@ std::ostringstream begin_csv(const SweepReport& report)
 {
     std::ostringstream out;
     out.imbue(std::locale::classic());
-    for (const auto& key : report.keys) out << key << ',';
+    for (const auto& key : report.keys) out << csv_field(key) << ',';
     out << std::fixed << std::setprecision(6);
     return out;
 }
 
 void write_values(std::ostream& out, const SweepPoint& point)
 {
-    for (const auto& value : point.values) out << value << ',';
+    for (const auto& value : point.values) out << csv_field(value) << ',';
 }
 
 void write_number(std::ostream& out, double value, Metric::Kind kind)

@@ -2,6 +2,7 @@
 #include "fild/report/sweep_report.h"
 
 #include "evaluation_parts.h"
+#include "fild/core/words.h"
 #include "sweep_parts.h"
 #include "text_file.h"
 
@@ -30,20 +31,13 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows)
     return text.str();
 }
 
-std::string joined(const std::vector<std::string>& words)
-{
-    std::string text;
-    for (const auto& word : words) text += (text.empty() ? "" : " ") + word;
-    return text;
-}
-
 std::string headline_of(const SweepReport& report)
 {
     std::ostringstream text;
     text << "recording     " << report.rawlog << '\n';
     for (const auto& remark : report.remarks) text << "              " << remark << '\n';
     text << "configuration " << report.config << (report.overrides.empty() ? "" : " with ")
-         << joined(report.overrides) << "\nground truth  " << report.truth.file << ": "
+         << joined(report.overrides, " ") << "\nground truth  " << report.truth.file << ": "
          << report.truth.content << '\n';
     for (const auto& remark : report.truth.remarks) text << "              " << remark << '\n';
     text << "protocol      " << to_word(report.truth.protocol) << ": "
@@ -73,8 +67,9 @@ std::vector<std::string> lines_of_wrong_loops(const SweepPoint& point)
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < point.runs.size(); ++i)
         for (const auto& wrong : point.runs[i].score.wrong_loops)
-            lines.push_back("wrong  " + joined(point.values) + (point.values.empty() ? "" : ", ") +
-                            "seed " + std::to_string(point.seeds[i]) + ": frame " +
+            lines.push_back("wrong  " + joined(point.values, " ") +
+                            (point.values.empty() ? "" : ", ") + "seed " +
+                            std::to_string(point.seeds[i]) + ": frame " +
                             std::to_string(to_index(wrong.verdict.frame)) + " at frame " +
                             std::to_string(to_index(wrong.verdict.candidate->frame)) + ", " +
                             std::to_string(wrong.verdict.inliers) + " inliers");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/report/verdict_csv.h"
 
+#include "csv_table.h"
 #include "fild/core/angle.h"
 
 #include <array>
@@ -21,15 +22,6 @@ std::string fixed6(double value)
     return {text.data(), end.ptr};
 }
 
-/** The text as one CSV field, in quotes where RFC 4180 wants them. */
-std::string field(const std::string& text)
-{
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
 constexpr const char* kVerdictColumns =
     "frame,timestamp,sensor_label,keypoints,candidate,similarity,matches,inliers,accepted,"
     "rejection,support,depth_source";
@@ -37,7 +29,7 @@ constexpr const char* kVerdictColumns =
 void write_verdict(std::ostream& out, const FrameVerdict& verdict, const std::string& depth_source)
 {
     out << to_index(verdict.frame) << ',' << fixed6(verdict.timestamp) << ','
-        << field(verdict.sensor_label) << ',' << verdict.keypoints << ',';
+        << csv_field(verdict.sensor_label) << ',' << verdict.keypoints << ',';
     if (verdict.candidate)
         out << to_index(verdict.candidate->frame) << ',' << fixed6(verdict.candidate->similarity);
     else

@@ -19,7 +19,6 @@ struct Keypoint
     float size = 0;  ///< diameter of the feature, pixels
     float angle = 0;  ///< orientation, radians in [0, 2 pi), from the x axis towards the y axis
     float response = 0;  ///< determinant of the Hessian
-    std::int8_t laplacian_sign = 0;  ///< +1 dark blob on light, -1 light on dark
 };
 
 struct ImageSize

@@ -8,7 +8,7 @@
 
 namespace fild
 {
-/** A trial that does nothing for so long waits for a lock: of a thread that is not in the fork. */
+/** A trial that waits for a lock for longer waits without end: for a thread that is not in the fork. */
 constexpr int kIdleSeconds = 6;
 
 /** How much a trial may take. */
@@ -16,7 +16,7 @@ struct TrialLimits
 {
     std::size_t bytes = 0;  ///< of memory, beyond what the process has when it begins
     int seconds = 0;  ///< of computing, not of waiting
-    int idle_seconds = kIdleSeconds;  ///< of doing nothing, after which it is begun anew
+    int idle_seconds = kIdleSeconds;  ///< of waiting for a lock, after which it is begun anew
 };
 
 /** To be called first in a fork that tries what may crash it: no files but `kept_descriptor`, which
@@ -32,19 +32,19 @@ void limit_memory(std::size_t more_bytes);
 void limit_computing(int seconds);
 
 /** Waits for a child process. \return what ended it, such as "signal 11"; empty: it ended by itself,
- *  with status 0. */
+ *  with status 0; "an unknown reason" where the program ignores SIGCHLD or waits for all children. */
 std::string reason_of_end(pid_t process);
 
 /** Waits until something can be read from a pipe whose other end a child process holds, or that end is
- *  closed. \return false: the child has done nothing for `idle_seconds`, neither computed nor waited for
- *  a disk. */
+ *  closed. \return false: the child has waited for a lock for `idle_seconds`, and computed nothing; a
+ *  file that is slow to come, over a network for instance, does not count. */
 bool wait_for_pipe(int pipe, pid_t process, int idle_seconds);
 
 /** Runs a task in a fork of this process first, for libraries that crash or take all memory on a bad
  *  file because they trust what they read. As after any fork, locks that other threads hold at that
  *  moment stay locked in it; a trial that waits for one is ended and begun anew, twice.
- *  \param task  its exceptions count as success, except when memory is out: here it will throw the
- *  same, to a caller who can say more of it.
+ *  \param task  its exceptions count as success, except when it needs more memory than
+ *  `limits.bytes`: here it will throw the same, to a caller who can say more of it.
  *  \return why the task must not be done here; empty: it may be.
  *  \throw std::runtime_error when no process can be started. */
 std::string crash_in_trial(const std::function<void()>& task, const TrialLimits& limits);

@@ -14,7 +14,9 @@ namespace fild
  *  III-A: one or more layers' outputs, pooled and normalised. Batch normalisation is expected to be
  *  merged with the convolutions in the model file, Eq. (1) to (3).
  *
- *  Deterministic for a given build of OpenCV. Not thread-safe: one caller at a time. */
+ *  Deterministic for a given build of OpenCV and a given cv::setNumThreads(): networks split their
+ *  sums by the number of OpenCV's threads, which changes the last digits. Not thread-safe: one caller
+ *  at a time. */
 class GlobalDescriptorExtractor
 {
  public:

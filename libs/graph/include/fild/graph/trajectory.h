@@ -50,7 +50,7 @@ struct TrajectoryReport
 };
 
 /** The robot's poses at the camera frames, and what is known of the motion between them. Made by a
- *  TrajectoryBuilder. Const members may run concurrently. */
+ *  TrajectoryBuilder. Const members may run concurrently; CPose3D::yaw() of one pose may not. */
 class Trajectory
 {
  public:

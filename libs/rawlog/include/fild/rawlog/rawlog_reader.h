@@ -18,7 +18,8 @@ namespace fild
 constexpr int kDefaultMaxEntryMegabytes = 256;
 
 /** A rawlog that stops in the middle: it was cut off, is damaged, has an entry larger than allowed,
- *  or holds a class of object that is not known here and so cannot be stepped over. All that next() gave before is good. */
+ *  or holds an object of a class, or of a version, that this MRPT does not know and so cannot step
+ *  over. All that next() gave before is good. */
 class TruncatedRawlog : public std::runtime_error
 {
  public:
@@ -47,8 +48,9 @@ struct RawlogEntry
  *  MRPT trusts the sizes in a file: one flipped bit can end the process, or take all its memory. So
  *  a process of its own, a fork of this one, makes objects of each entry first, with little memory
  *  and 10 s of computing time; only the bytes of an entry that passes come here. As after any fork,
- *  locks that other threads hold at that moment stay locked in it: a program with threads should
- *  make its readers before them. The process ends with the reader. It leaves a SIGCHLD.
+ *  locks that other threads hold at that moment stay locked in it: one that waits for such a lock is
+ *  replaced after some seconds, twice at most; a program with threads should make its readers before
+ *  them. The process ends with the reader, which sends the program a SIGCHLD.
  *  Not thread-safe: one caller at a time. */
 class RawlogReader
 {
