@@ -31,6 +31,10 @@ tests/tidy.sh
 step "tests (preset dev)"
 ctest --preset dev --parallel 2 --label-regex "$others"
 
+step "one type for each name (preset lto)"
+cmake --preset lto > /dev/null
+cmake --build --preset lto --target rawlog-loop-closure synthetic-rawlog
+
 step "build and tests (preset asan)"
 cmake --preset asan > /dev/null
 cmake --build --preset asan --target unit_tests integration_tests

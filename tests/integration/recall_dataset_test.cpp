@@ -128,7 +128,7 @@ class Kitti03 : public ::testing::Test
 {
  protected:
     /** tests/benchmark/accuracy.sh takes all. */
-    const std::size_t frames_ = std::getenv("FILD_FULL_TESTS") != nullptr ? 300 : 180;
+    const std::size_t frames_ = std::getenv("FILD_FULL_TESTS") != nullptr ? 300 : 240;
 
     struct Position
     {

@@ -17,15 +17,19 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 cd "$work"
-if [ -n "${FILD_FULL_TESTS:-}" ]; then export DEMO_PRESET=demo recall=0.9; else export DEMO_PRESET=tiny recall=0.8; fi
+if [ -n "${FILD_FULL_TESTS:-}" ]; then
+  export DEMO_PRESET=demo recall=0.9 segment_recall=1
+else
+  export DEMO_PRESET=tiny recall=0.8 segment_recall=0.5
+fi
 "$source_dir/datasets-scripts/demo.sh"
 "$python" - << 'END'
 import csv, json, math, os
 
-least_recall = float(os.environ["recall"])
+least_recall, least_segment_recall = (float(os.environ[name]) for name in ("recall", "segment_recall"))
 score = json.load(open("demo-results/evaluation/window_10/evaluation.json"))
 assert score["precision"] == 1, score["precision"]
-assert score["recall"] >= least_recall and score["segment_recall"] == 1, score
+assert score["recall"] >= least_recall and score["segment_recall"] >= least_segment_recall, score
 exact = json.load(open("demo-results/evaluation/exact/evaluation.json"))
 assert exact["precision"] == 1 and exact["recall"] >= least_recall, exact
 

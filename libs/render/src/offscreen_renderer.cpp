@@ -44,6 +44,23 @@ void filter_textures_by_mipmaps()
     }
 }
 
+/** Null when there is none. */
+OSMesaContext new_context(OSMesaContext sharing)
+{
+    constexpr std::array<int, 11> kAttributes{OSMESA_FORMAT,
+                                              OSMESA_RGBA,
+                                              OSMESA_PROFILE,
+                                              OSMESA_COMPAT_PROFILE,
+                                              OSMESA_CONTEXT_MAJOR_VERSION,
+                                              3,
+                                              OSMESA_CONTEXT_MINOR_VERSION,
+                                              1,
+                                              OSMESA_DEPTH_BITS,
+                                              24,
+                                              0};
+    return OSMesaCreateContextAttribs(kAttributes.data(), sharing);
+}
+
 void check_camera(const CameraModel& camera)
 {
     if (camera.lens != LensModel::none)
@@ -145,18 +162,10 @@ OffscreenRenderer::Context::Context()
         throw std::runtime_error("cannot draw off-screen: OpenGL functions come from " + library +
                                  ", not from libOSMesa; link OSMesa before all others");
     require_precise_shaders();
-    const std::array<int, 11> attributes{OSMESA_FORMAT,
-                                         OSMESA_RGBA,
-                                         OSMESA_PROFILE,
-                                         OSMESA_COMPAT_PROFILE,
-                                         OSMESA_CONTEXT_MAJOR_VERSION,
-                                         3,
-                                         OSMESA_CONTEXT_MINOR_VERSION,
-                                         1,
-                                         OSMESA_DEPTH_BITS,
-                                         24,
-                                         0};
-    context_ = OSMesaCreateContextAttribs(attributes.data(), nullptr);
+    // MRPT keeps one table of all threads' texture names, and deletes a name in the thread that made
+    // it last: only contexts that share their names have none twice.
+    static OSMesaContext const of_all_names = new_context(nullptr);
+    context_ = new_context(of_all_names);
     if (context_ == nullptr)
         throw std::runtime_error("cannot draw off-screen: " + library +
                                  " gives no OpenGL 3.1 context; reinstall Debian's libosmesa6");
