@@ -24,7 +24,12 @@ SETS = {
     "town": "town",
     "town-hard": "harder town",
 }
-CONFIGS = {"fild_paper": "paper", "default": "default", "left_out": "**left out**"}
+CONFIGS = {
+    "fild_paper": "paper",
+    "default": "default",
+    "look_ahead": "default, 10 s ahead",
+    "left_out": "**left out**",
+}
 COLUMNS = {
     "precision": "precision",
     "recall": "recall",
