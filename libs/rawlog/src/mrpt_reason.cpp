@@ -41,7 +41,7 @@ std::string mrpt_reason(const std::exception& error)
 std::optional<std::string> unknown_object(const std::exception& error)
 {
     const std::string text = error.what();
-    const auto unknown_class = quoted_after(text, "Stored object has class '");
+    auto unknown_class = quoted_after(text, "Stored object has class '");
     if (unknown_class && is_class_name(*unknown_class)) return unknown_class;
     const auto version = quoted_after(text, "unknown serialization version number: '");
     const auto object = quoted_after(text, "parsing typed object '");  // the innermost comes last
