@@ -16,7 +16,7 @@ using fild::PlaceSmoother;
 using fild::PlaceStates;
 using fild::TConsistencyOptions;
 
-TConsistencyOptions options()
+TConsistencyOptions belief_options()
 {
     TConsistencyOptions options;
     options.belief = true;
@@ -160,7 +160,7 @@ void expect_equal(const PlaceStates& states, const std::vector<double>& expected
 
 TEST(PlaceSmoother, IsTheSumOverAllPathsWhileTheMapGrows)
 {
-    auto small = options();
+    auto small = belief_options();
     small.place_step = 1;
     small.near_places = 1;
     PlaceBelief belief(small);
@@ -191,8 +191,8 @@ TEST(PlaceSmoother, IsTheSumOverAllPathsWhileTheMapGrows)
 
 TEST(PlaceSmoother, OfOneFrameSaysWhatTheBeliefSays)
 {
-    PlaceBelief belief(options());
-    PlaceSmoother smoother(options());
+    PlaceBelief belief(belief_options());
+    PlaceSmoother smoother(belief_options());
     for (std::size_t i = 0; i < 50; ++i) belief.add_place(FrameId{i});
     belief.update({{FrameId{7}, {{4, 3}}}});
     smoother.add(belief);
@@ -209,8 +209,8 @@ struct Judged
 
 Judged first_of(const std::vector<ComparedPlace>& places)
 {
-    PlaceBelief belief(options());
-    PlaceSmoother smoother(options());
+    PlaceBelief belief(belief_options());
+    PlaceSmoother smoother(belief_options());
     for (std::size_t i = 0; i < 100; ++i) belief.add_place(FrameId{i});
     Judged judged;
     for (const auto& place : places)
@@ -255,8 +255,8 @@ TEST(PlaceSmoother, DoesNotTakeARowOfLookAlikesForAReturn)
 
 TEST(PlaceSmoother, RemainsAProbabilityOverALongWindow)
 {
-    PlaceBelief belief(options());
-    PlaceSmoother smoother(options());
+    PlaceBelief belief(belief_options());
+    PlaceSmoother smoother(belief_options());
     for (std::size_t i = 0; i < 30; ++i) belief.add_place(FrameId{i});
     for (std::uint64_t i = 0; i < 2000; ++i)
     {
