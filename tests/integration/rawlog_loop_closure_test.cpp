@@ -577,8 +577,9 @@ TEST_F(RawlogLoopClosure, SaysWhyNoFrameIsOldEnough)
     write_rawlog(objects);
     EXPECT_THAT(run("--quiet --set index.delay_seconds=60").err,
                 AllOf(HasSubstr("span 15 s"), HasSubstr("[index] delay_seconds = 60")));
-    EXPECT_THAT(run("--quiet --set index.delay_seconds=10 --set index.frame_rate=2").err,
-                HasSubstr("not more than [index] delay_seconds x frame_rate = 20 frames"));
+    EXPECT_THAT(
+        run("--quiet --set index.delay_seconds=10 --set index.frame_rate=2").err,
+        HasSubstr("there are not more frames than [index] delay_seconds x frame_rate = 20"));
     for (auto& object : objects)
         std::dynamic_pointer_cast<mrpt::obs::CObservation>(object)->timestamp =
             mrpt::Clock::fromDouble(1000);
