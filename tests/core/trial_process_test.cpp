@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/core/trial_process.h"
 
+#include "held_lock.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <future>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -80,17 +81,8 @@ TEST(CrashInTrial, BoundsComputing)
 TEST(CrashInTrial, BeginsAnewWhenTheForkWaitsForALockOfAnotherThread)
 {
     std::mutex mutex;
-    std::promise<void> is_locked;
-    std::thread other(
-        [&]
-        {
-            const std::lock_guard lock(mutex);
-            is_locked.set_value();
-            std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        });
-    is_locked.get_future().wait();
+    const fild::testing::HeldLock other(mutex, std::chrono::milliseconds(500));
     EXPECT_EQ(crash_of([&] { const std::lock_guard lock(mutex); }), "");
-    other.join();
 }
 
 TEST(CrashInTrial, EndsATaskThatWaitsForALockWithoutEnd)

@@ -66,7 +66,7 @@ class RawlogLoopClosure : public ::testing::Test
     };
 
     /** Starts a run in the background and sends it a signal when some frames have verdicts.
-     *  \param before  a shell command. \param awaited  tells that the time has come. */
+     *  \param before  a shell command to run first. \param awaited  the row to wait for. */
     Finished run_and_send(const std::string& signal,
                           const std::string& more,
                           const std::string& before = "",

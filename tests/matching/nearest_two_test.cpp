@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nearest_two.h"
 
+#include "code_distance.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bitset>
 #include <random>
 
 namespace
@@ -25,12 +26,8 @@ fild::NearestTwo by_sorting(const std::uint64_t* code, const fild::BinaryCodes& 
 {
     std::vector<std::pair<int, std::size_t>> distances;
     for (std::size_t i = 0; i < others.size(); ++i)
-    {
-        int bits = 0;
-        for (int w = 0; w < others.words_per_code; ++w)
-            bits += static_cast<int>(std::bitset<64>(code[w] ^ others.code(i)[w]).count());
-        distances.emplace_back(bits, i);
-    }
+        distances.emplace_back(
+            fild::testing::code_distance(code, others.code(i), others.words_per_code), i);
     std::sort(distances.begin(), distances.end());
     fild::NearestTwo nearest;
     if (!distances.empty()) nearest.bits = distances[0].first;

@@ -2,6 +2,7 @@
 #include "entry_process.h"
 
 #include "drawn_rawlog.h"
+#include "held_lock.h"
 
 #include <gmock/gmock.h>
 #include <mrpt/obs/CObservation.h>
@@ -13,11 +14,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <future>
 #include <mutex>
 #include <string>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -118,22 +117,13 @@ class EntryProcess : public ::testing::Test
 TEST_F(EntryProcess, IsBegunAnewAtTheSameEntryWhenItWaitsForALockOfAnotherThread)
 {
     std::mutex mutex;
-    std::promise<void> is_locked;
-    std::thread other(
-        [&]
-        {
-            const std::lock_guard lock(mutex);
-            is_locked.set_value();
-            std::this_thread::sleep_for(500ms);
-        });
-    is_locked.get_future().wait();
+    const fild::testing::HeldLock other(mutex, std::chrono::milliseconds(500));
     WaitingObservation::on_reading() = [&]
     {
         if (count_reading() > 1) const std::lock_guard lock(mutex);
     };
     fild::EntryProcess process(rawlog(), kMaxEntryBytes, kIdleSeconds);
     const auto labels = labels_of(process);
-    other.join();
     EXPECT_THAT(labels, ElementsAre("FIRST", "SECOND"));
 }
 
@@ -171,7 +161,7 @@ TEST_F(EntryProcess, IsGoneWithTheLastEntry)
     WaitingObservation::on_reading() = [] {};
     fild::EntryProcess process(rawlog(), kMaxEntryBytes);
     EXPECT_THAT(labels_of(process), ElementsAre("FIRST", "SECOND"));
-    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // there is no child, nor a dead one
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);  // no child is left
     EXPECT_EQ(process.next().kind, fild::EntryMessageKind::failure);
 }
 

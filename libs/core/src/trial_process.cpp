@@ -70,7 +70,7 @@ std::size_t data_bytes()
     return statm_bytes(5);
 }
 
-/** Whether `ulimit -v` ends the memory of this process before it has taken so much more. */
+/** Whether `ulimit -v` leaves this process less than `more_bytes`. */
 bool system_grants_less(std::size_t more_bytes)
 {
     rlimit limit{};

@@ -9,7 +9,7 @@ namespace fild
 {
 namespace
 {
-/** None when there is no such variable, or it is not an absolute path. */
+/** The folder that an environment variable names; none when it is unset or no absolute path. */
 std::optional<std::filesystem::path> folder_in(const char* variable)
 {
     const char* const value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): only read
