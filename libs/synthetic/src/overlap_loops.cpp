@@ -186,16 +186,11 @@ void OverlapLoops::State::compare(const LoopPair& ids,
         apart.within(options.doubtful_overlap_distance_m, options.doubtful_overlap_angle_deg);
     if (!may_be_loop && !is_near && !may_overlap) return;
     auto pair = ids;
-    pair.overlap = overlap_of(camera, query, query_depth, candidate);
-    const auto shares_surface = [&]
-    {
-        return pair.overlap >= options.doubtful_overlap ||
-               overlap_of(coarse_camera, candidate, candidate.depth, query) >=
-                   options.doubtful_overlap;
-    };
+    pair.overlap = std::max(overlap_of(camera, query, query_depth, candidate),
+                            overlap_of(coarse_camera, candidate, candidate.depth, query));
     if (may_be_loop && pair.overlap >= options.overlap)
         pairs.push_back(pair);
-    else if (is_near || (may_overlap && shares_surface()))
+    else if (is_near || (may_overlap && pair.overlap >= options.doubtful_overlap))
         doubtful_pairs.push_back(pair);
 }
 
@@ -256,7 +251,7 @@ void write_loops(std::ostream& out,
                  const std::vector<LoopPair>& doubtful_pairs)
 {
     out << "# query candidate (0-based camera frames; the candidate is the earlier one)\n"
-        << "# the share `overlap` or more of the candidate's pixels is seen in the query;";
+        << "# the share `overlap` or more of one frame's pixels is seen in the other;";
     for (const auto& [key, value] : options.values()) out << " " << key << "=" << value;
     out << "\n# a third word 0: the pair is doubtful, neither right nor wrong; the frames share"
         << "\n# `doubtful_overlap` or more in either direction, or are within"

@@ -17,7 +17,7 @@ namespace fild
 /** Section [truth] of synthetic-rawlog: which pairs of frames count as a loop. */
 struct TTruthOptions : Options
 {
-    double overlap = 0.4;  ///< least share of the candidate's pixels that the query sees too
+    double overlap = 0.4;  ///< least share of one frame's pixels that the other sees, too
     /** Earlier frames younger than this are no candidates; the delay of config-ini/default.ini. */
     double min_age_seconds = 20;
     double max_distance_m = 10;  ///< between the cameras
@@ -41,7 +41,7 @@ struct LoopPair
 {
     FrameId query{};
     FrameId candidate{};  ///< the earlier one
-    double overlap = 0;  ///< share of the candidate's pixels that the query sees
+    double overlap = 0;  ///< share of one frame's pixels that the other sees: the greater of both
 };
 
 /** Finds all loops of a drive from what the cameras truly see.
