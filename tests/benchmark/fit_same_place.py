@@ -5,9 +5,10 @@
     fit_same_place.py SET=FOLDER... [--look-alikes SET,...] [--rendered SET,...] [--without SET]
                       [--as-overrides]
 
-FOLDER holds the sweep_pairs.csv of `loop-closure-eval --rawlog ... --output FOLDER`. Wrong pairs of the
---look-alikes sets with 20 inliers or more teach what look-alikes are, all other wrong pairs what chance
-does. Each set counts as much as any other, --rendered ones three quarters; --without leaves one out.
+FOLDER holds the sweep_pairs.csv of `loop-closure-eval --rawlog ... --output FOLDER`. Wrong pairs with fewer
+than 20 inliers teach what chance does; those of the --look-alikes sets with more, what look-alikes are; those
+of other sets are neighbours of the truth and teach nothing. Each set counts as much as any other, --rendered
+ones half; --without leaves one out.
 --as-overrides prints arguments for --set instead."""
 
 import argparse
@@ -17,11 +18,10 @@ from pathlib import Path
 
 import numpy as np
 
-SHARES = ["inlier_share", "shape_share", "affine_share", "match_share", "close_inlier_share",
-          "close_share", "overlap_share", "confirmed_share"]
+SHARES = ["inlier_share", "shape_share", "affine_share", "match_share", "close_share", "overlap_share"]
 # What a greater number says: 1 for one place, -1 against it, 0 left out.
-CHANCE_SIGNS = np.array([1, 1, 0, 1, 0, 0, 0, 0, 0])
-LOOK_ALIKE_SIGNS = np.array([0, 1, -1, 0, 1, 1, -1, -1, -1])
+CHANCE_SIGNS = np.array([1, 1, 0, 1, 0, 0, 0])
+LOOK_ALIKE_SIGNS = np.array([0, 1, -1, 0, 1, -1, -1])
 LEAST_SHARE = 0.003
 CLEAR_INLIERS = 15  # a true pair with fewer is not clear enough to learn from
 LOOK_ALIKE_INLIERS = 20
@@ -86,11 +86,11 @@ def best_pairs(pairs, score):
     return np.array(sorted(best.values()), dtype=int)
 
 
-def fit_chance(sets, look_alikes, weight):
+def fit_chance(sets, weight):
     groups = []
     for name, p in sets.items():
         clear = (p.truth == 1) & (p.inliers >= CLEAR_INLIERS)
-        wrong = (p.truth == 0) & ~((name in look_alikes) & (p.inliers >= LOOK_ALIKE_INLIERS))
+        wrong = (p.truth == 0) & (p.inliers < LOOK_ALIKE_INLIERS)
         groups += [(p.features[clear], 1, weight(name)), (p.features[wrong], 0, weight(name))]
     coefficients, bias = logistic(groups, CHANCE_SIGNS, 1e-5)
     # Again with the best pair of each query alone: what the detector has to decide.
@@ -99,9 +99,7 @@ def fit_chance(sets, look_alikes, weight):
         score = p.features @ coefficients + bias
         best = best_pairs(p, score)
         right = best[(p.truth[best] == 1) & (p.inliers[best] >= REPORTED_INLIERS)]
-        wrong = best[p.truth[best] == 0]
-        if name in look_alikes:
-            wrong = wrong[p.inliers[wrong] < LOOK_ALIKE_INLIERS]
+        wrong = best[(p.truth[best] == 0) & (p.inliers[best] < LOOK_ALIKE_INLIERS)]
         groups += [(score[right][:, None], 1, weight(name)), (score[wrong][:, None], 0, weight(name))]
     slope, offset = logistic(groups, np.array([1]), 1e-6)
     return coefficients * slope[0], bias * slope[0] + offset
@@ -139,9 +137,9 @@ def main():
     rendered = options.rendered.split(",")
 
     def weight(name):
-        return 0.75 if name in rendered else 1.0
+        return 0.5 if name in rendered else 1.0
 
-    fitted = [*lines("chance_", *fit_chance(sets, look_alikes, weight)),
+    fitted = [*lines("chance_", *fit_chance(sets, weight)),
               *lines("look_alike_", *fit_look_alikes(sets, look_alikes, weight))]
     for key, value in fitted:
         text = f"{value:.4f}".rstrip("0").rstrip(".")

@@ -45,7 +45,7 @@ cmake --build "$work/example/build"
 "$python" "$here/draw_two_laps.py" "$work/images" "$frames_per_lap"
 "$prefix/bin/images-to-rawlog" --images "$work/images" --rate 1 --output "$work/wall.rawlog"
 # The shipped configuration with the tests' network, which tells little: all frames are candidates.
-sed -e "s|^model_file = .*|model_file = $tiny_network|" -e 's/^layers = .*/layers = map/' \
+sed -e "s|^model_file = .*|model_file = $tiny_network|" -e 's/^\(cell_layer\|layers\) = .*/\1 = map/' \
   -e 's/^input_\(width\|height\) = .*/input_\1 = 4/' -e 's/^dimension = .*/dimension = 8/' \
   -e 's/^delay_seconds = .*/delay_seconds = 5/' -e 's/^candidates = .*/candidates = 16/' \
   "$prefix/share/mrpt-fild/config-ini/default.ini" > "$work/wall.ini"

@@ -40,7 +40,7 @@ TEST(Evidence, HasAWordOfItsOwnForEachKind)
     for (std::size_t k = 0; k < fild::kEvidenceKinds; ++k)
         words.insert(to_word(static_cast<fild::Evidence>(k)));
     EXPECT_EQ(words.size(), fild::kEvidenceKinds);
-    EXPECT_EQ(to_word(fild::Evidence::confirmed_share), "confirmed_share");
+    EXPECT_EQ(to_word(fild::Evidence::overlap_share), "overlap_share");
 }
 
 TEST(KeypointShape, KeepsSizeAndAngleToTheNearestStep)

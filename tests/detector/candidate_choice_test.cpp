@@ -12,9 +12,10 @@ using fild::ConsideredCandidate;
 using fild::FrameId;
 using fild::PlaceStates;
 
-ConsideredCandidate candidate(std::uint64_t frame, double log_odds)
+ConsideredCandidate candidate(std::uint64_t frame, double log_odds, std::size_t inliers = 0)
 {
     ConsideredCandidate entry;
+    entry.inliers = inliers;
     entry.candidate.frame = FrameId{frame};
     entry.odds = {log_odds, log_odds};
     return entry;
@@ -29,11 +30,21 @@ PlaceStates at(std::size_t place, double probability, std::size_t other, double 
     return states;
 }
 
-TEST(CandidateChoice, NamesTheBestEvidenceAtTheMostProbablePlace)
+TEST(CandidateChoice, PrefersTheMoreProbableThenThatWithMoreInliers)
 {
-    const auto far = candidate(80, 9);
-    const auto fair = candidate(10, 2);
-    const auto good = candidate(12, 5);
+    constexpr double kEnough = -2;
+    EXPECT_TRUE(is_better(candidate(1, -3, 5), candidate(2, -4, 9), kEnough));
+    EXPECT_TRUE(is_better(candidate(1, -1, 5), candidate(2, -4, 9), kEnough));
+    EXPECT_TRUE(is_better(candidate(1, -1, 50), candidate(2, 4, 30), kEnough));
+    EXPECT_FALSE(is_better(candidate(1, -1, 30), candidate(2, -1, 30), kEnough));
+    EXPECT_TRUE(is_better(candidate(1, -9, 0), ConsideredCandidate{}, kEnough)) << "without odds";
+}
+
+TEST(CandidateChoice, NamesTheCandidateWithMostInliersAtTheMostProbablePlace)
+{
+    const auto far = candidate(80, 9, 200);
+    const auto fair = candidate(10, 5, 20);
+    const auto good = candidate(12, 2, 50);
     const std::vector<BelievableCandidate> candidates{{&far, 80}, {&fair, 10}, {&good, 12}};
     EXPECT_EQ(most_probable(candidates, at(10, 0.9, 80, 0.1)).candidate.frame, FrameId{12});
     EXPECT_EQ(most_probable(candidates, at(10, 0.1, 80, 0.9)).candidate.frame, FrameId{80});

@@ -517,6 +517,45 @@ TEST(LoopDetector, VerifiesOneFrameOfAPlaceAndStopsAtTheFirstThatIsGood)
     EXPECT_EQ(checked_with(0, true), 1U);
 }
 
+/** Cells that only views of this place have. */
+fild::CellCodes cells_of(std::uint64_t place)
+{
+    std::mt19937_64 generator(place);
+    fild::CellCodes cells{4, 4, {}};
+    cells.codes.bits = 256;
+    cells.codes.words_per_code = 4;
+    for (int i = 0; i < 4 * 4 * 4; ++i) cells.codes.words.push_back(generator());
+    return cells;
+}
+
+// The descriptor of the return is that of another place; its cells are right.
+TEST(LoopDetector, VerifiesThePlacesWhoseCellsAgreeBest)
+{
+    const std::vector<std::uint64_t> places = {10, 20, 30, 40, 50, 60, 70, 10};
+    const auto show_cells = [&](std::size_t i, FrameDescription& view)
+    {
+        view.local.cells = cells_of(places[i]);
+        if (i == 7) view.global = view_of(50, 0).global;
+    };
+    auto options = options_with_delay(2);
+    options.global_descriptor.cell_layer = "map";
+    options.index.candidates = 10;
+    options.candidates.best_by_cells = 1;
+    const auto outcome = drive(options, places, show_cells).back();
+    ASSERT_TRUE(outcome.verdict.accepted());
+    EXPECT_EQ(outcome.verdict.candidate->frame, FrameId{0});
+    std::size_t checked = 0;
+    for (const auto& candidate : outcome.considered) checked += candidate.checked;
+    EXPECT_EQ(checked, 1U);
+}
+
+TEST(LoopDetector, ComparesCellsOnlyWhereThereAreSome)
+{
+    auto options = options_with_delay(2);
+    options.candidates.best_by_cells = 1;
+    EXPECT_THROW(fild::LoopDetector(options, kDimension), std::invalid_argument);
+}
+
 TEST(LoopDetector, TellsOfAllItLookedAt)
 {
     auto options = options_with_delay(2);

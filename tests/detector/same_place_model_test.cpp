@@ -85,7 +85,7 @@ TEST(SamePlaceOptions, RefuseACoefficientOfTheWrongSign)
     wrong.chance.inliers = -1;
     EXPECT_THROW(wrong.check(), std::invalid_argument);
     wrong = options();
-    wrong.look_alike.of_share[to_index(Evidence::confirmed_share)] = 1;
+    wrong.look_alike.of_share[to_index(Evidence::overlap_share)] = 1;
     EXPECT_THROW(wrong.check(), std::invalid_argument);
     EXPECT_NO_THROW(options().check());
 }

@@ -34,7 +34,7 @@ TGlobalDescriptorOptions tiny_network()
 
 std::vector<float> extract(const TGlobalDescriptorOptions& options, const cv::Mat& image)
 {
-    return GlobalDescriptorExtractor(options).extract(image);
+    return GlobalDescriptorExtractor(options).extract(image).global;
 }
 
 /** A 4 x 4 image whose left half is of one colour and right half of another, BGR. */
@@ -139,6 +139,37 @@ TEST(GlobalDescriptor, RefusesOtherKindsOfImages)
     EXPECT_THROW(extractor.extract(cv::Mat(4, 4, CV_16UC1)), std::invalid_argument);
 }
 
+// The left half is (30, 20 + 2 x 10), the right half (60, 40 + 2 x 80): each channel has two values,
+// which become -1 and 1.
+TEST(GlobalDescriptor, TellsWhatTheNetworkSeesInEachCell)
+{
+    auto options = tiny_network();
+    options.cell_layer = "map";
+    const auto image = two_halves(cv::Scalar(10, 20, 30), cv::Scalar(80, 40, 60));
+    const auto appearance = GlobalDescriptorExtractor(options).extract(image);
+    const auto& cells = appearance.cells;
+    ASSERT_EQ(cells.rows, 4);
+    ASSERT_EQ(cells.columns, 4);
+    ASSERT_EQ(cells.channels, 2);
+    ASSERT_EQ(cells.values.size(), 32U);
+    for (std::size_t i = 0; i < 16; ++i)
+        for (std::size_t c = 0; c < 2; ++c)
+            EXPECT_NEAR(cells.values[2 * i + c], i % 4 < 2 ? -1 : 1, 1e-5) << i;
+    options.cell_layer.clear();
+    expect_near(appearance.global, extract(options, image));
+    EXPECT_EQ(GlobalDescriptorExtractor(options).extract(image).cells.size(), 0U);
+}
+
+TEST(GlobalDescriptor, ChannelsThatDoNotVaryTellNothing)
+{
+    auto options = tiny_network();
+    options.cell_layer = "map";
+    const auto cells = GlobalDescriptorExtractor(options)
+                           .extract(cv::Mat(4, 4, CV_8UC3, cv::Scalar(10, 20, 30)))
+                           .cells;
+    for (const float x : cells.values) EXPECT_EQ(x, 0);
+}
+
 /** A network of Caffe's that averages each input channel; it has no weights, so that its weights
  * file holds only the network's name (field 1 of caffe.NetParameter). */
 TEST(GlobalDescriptor, ReadsCaffeNetworks)
@@ -214,6 +245,9 @@ TEST(GlobalDescriptor, RefusesADamagedModelThatCrashesOpenCv)
 TEST(GlobalDescriptor, NamesALayerThatIsNotThere)
 {
     auto options = tiny_network();
+    options.cell_layer = "cell";
+    EXPECT_THAT(construction_error(options), AllOf(HasSubstr("cell_layer"), HasSubstr("'cell'")));
+    options.cell_layer.clear();
     options.layers = "mapp";
     EXPECT_THAT(construction_error(options), HasSubstr("no layer 'mapp'"));
     EXPECT_THAT(construction_error(options), HasSubstr("vector"));

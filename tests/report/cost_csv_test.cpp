@@ -33,17 +33,16 @@ TEST(CostCsv, HasWhatEachFrameAdded)
     std::getline(lines, second);
     EXPECT_EQ(header,
               "frame,image_decoding_ms,global_descriptor_ms,local_features_ms,hashing_ms,depth_ms,"
-              "index_insertion_ms,index_search_ms,matching_ms,verification_ms,evidence_ms,relative_"
+              "index_insertion_ms,index_search_ms,cells_ms,matching_ms,verification_ms,evidence_ms,"
+              "relative_"
               "pose_ms,"
               "whole_frame_ms,map_bytes,resident_bytes");
-    EXPECT_THAT(
-        first,
-        ::testing::StartsWith(
-            "0,0.000,0.000,0.000,2.000,0.000,0.000,0.000,0.000,0.000,0.000,0.000,5.000,1000,"));
-    EXPECT_THAT(
-        second,
-        ::testing::StartsWith(
-            "1,0.000,0.000,0.000,0.000,0.000,0.000,0.000,3.000,0.000,0.000,0.000,7.250,2000,"));
+    EXPECT_THAT(first,
+                ::testing::StartsWith("0,0.000,0.000,0.000,2.000,0.000,0.000,0.000,0.000,0.000,0."
+                                      "000,0.000,0.000,5.000,1000,"));
+    EXPECT_THAT(second,
+                ::testing::StartsWith("1,0.000,0.000,0.000,0.000,0.000,0.000,0.000,0.000,3.000,0."
+                                      "000,0.000,0.000,7.250,2000,"));
 }
 
 TEST(ProcessMemory, IsAtMostItsPeak)

@@ -17,7 +17,7 @@ frames_per_lap=8
 failures=0
 
 # The shipped configuration with the tests' network, which tells little: all frames are candidates.
-sed -e "s|^model_file = .*|model_file = $tiny_network|" -e 's/^layers = .*/layers = map/' \
+sed -e "s|^model_file = .*|model_file = $tiny_network|" -e 's/^\(cell_layer\|layers\) = .*/\1 = map/' \
   -e 's/^input_\(width\|height\) = .*/input_\1 = 4/' -e 's/^dimension = .*/dimension = 8/' \
   -e 's/^delay_seconds = .*/delay_seconds = 35/' -e 's/^candidates = .*/candidates = 16/' \
   "$source_dir/config-ini/default.ini" > "$work/wall.ini"

@@ -12,8 +12,7 @@ from pathlib import Path
 import numpy as np
 
 SCRIPT = Path(__file__).resolve().parents[1] / "benchmark" / "fit_same_place.py"
-SHARES = ["inlier_share", "shape_share", "affine_share", "match_share", "close_inlier_share",
-          "close_share", "overlap_share", "confirmed_share"]
+SHARES = ["inlier_share", "shape_share", "affine_share", "match_share", "close_share", "overlap_share"]
 
 
 def write_pairs(folder, kinds, seed):
@@ -58,7 +57,7 @@ class FitSamePlace(unittest.TestCase):
 
     def test_learns_what_tells_the_classes_apart(self):
         fitted = {key: float(value) for key, value in self.fit("--look-alikes", "floors").items()}
-        self.assertEqual(len(fitted), 20)
+        self.assertEqual(len(fitted), 16)
         self.assertGreater(fitted["chance_inliers"] + fitted["chance_inlier_share"], 1)
         self.assertGreater(fitted["look_alike_inlier_share"], 0.5)
         self.assertLess(fitted["look_alike_close_share"], -0.5)
@@ -80,7 +79,7 @@ class FitSamePlace(unittest.TestCase):
             if "bias" in key:
                 continue
             against = key.startswith("look_alike_") and share in (
-                "close_share", "overlap_share", "confirmed_share")
+                "close_share", "overlap_share")
             self.assertTrue(float(value) <= 0 if against else float(value) >= 0, key)
 
     def test_says_what_is_missing(self):

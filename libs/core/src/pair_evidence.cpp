@@ -12,10 +12,8 @@ std::string to_word(Evidence kind)
                                                                 "shape_share",
                                                                 "affine_share",
                                                                 "match_share",
-                                                                "close_inlier_share",
                                                                 "close_share",
-                                                                "overlap_share",
-                                                                "confirmed_share"};
+                                                                "overlap_share"};
     return kWords.at(to_index(kind));
 }
 

@@ -18,10 +18,13 @@ bool is_within(int reach, std::size_t a, std::size_t b)
 }
 }  // namespace
 
-bool came_further(const ConsideredCandidate& a, const ConsideredCandidate& b)
+bool is_better(const ConsideredCandidate& a, const ConsideredCandidate& b, double enough)
 {
-    const auto evidence = [](const ConsideredCandidate& each)
-    { return each.odds ? each.odds->log_odds() : -std::numeric_limits<double>::infinity(); };
+    const auto evidence = [enough](const ConsideredCandidate& each)
+    {
+        return each.odds ? std::min(each.odds->log_odds(), enough)
+                         : -std::numeric_limits<double>::infinity();
+    };
     return std::make_tuple(evidence(a), a.inliers, a.matches) >
            std::make_tuple(evidence(b), b.inliers, b.matches);
 }
@@ -36,7 +39,7 @@ const ConsideredCandidate& most_probable(const std::vector<BelievableCandidate>&
                          { return states.same[a.place] < states.same[b.place]; });
     const auto* best = likeliest->entry;
     for (const auto& [entry, place] : candidates)
-        if (is_within(kEvidenceReach, place, likeliest->place) && came_further(*entry, *best))
+        if (is_within(kEvidenceReach, place, likeliest->place) && entry->inliers > best->inliers)
             best = entry;
     return *best;
 }

@@ -8,6 +8,7 @@ namespace fild
 {
 void TCandidateOptions::describe(OptionVisitor& visitor)
 {
+    visitor.integer("best_by_cells", best_by_cells, 0, 1000);
     visitor.integer("place_frames", place_frames, 0, 1000);
     visitor.integer("neighbour_reach", neighbour_reach, 0, 1000);
     visitor.flag("follow_belief", follow_belief);
@@ -62,6 +63,9 @@ void TDetectorOptions::check_between_sections() const
     if (consistency.belief && !same_place.enabled)
         throw std::invalid_argument(
             "[consistency] belief = true needs the evidence of [same_place] enabled = true");
+    if (candidates.best_by_cells > 0 && global_descriptor.cell_layer.empty())
+        throw std::invalid_argument(
+            "[candidates] best_by_cells > 0 needs a layer in [global_descriptor] cell_layer");
     if (candidates.follow_belief && !consistency.belief)
         throw std::invalid_argument(
             "[candidates] follow_belief = true needs [consistency] belief = true");

@@ -4,6 +4,7 @@
 
 #include "fild/geometry/image_depths.h"
 #include "fild/geometry/stereo_depths.h"
+#include "fild/matching/cell_hasher.h"
 
 #include <future>
 
@@ -42,26 +43,28 @@ FrameFeatures FrameFeatureExtractor::extract(const Frame& frame, StageTimes& tim
 
     StageTimes network_times;  // of its own: StageTimes takes one caller at a time
     const auto policy = num_threads_ == 1 ? std::launch::deferred : std::launch::async;
-    auto global = std::async(policy,
-                             [&]
-                             {
-                                 const StageTimer timer(network_times, "global_descriptor");
-                                 return global_extractor_.extract(frame.image);
-                             });
+    auto appearance = std::async(policy,
+                                 [&]
+                                 {
+                                     const StageTimer timer(network_times, "global_descriptor");
+                                     return global_extractor_.extract(frame.image);
+                                 });
     {
         const StageTimer timer(times, "local_features");
         features.local = surf_extractor_.extract(frame.image);
     }
-    features.global = global.get();
+    features.appearance = appearance.get();
     times.merge(network_times);
     return features;
 }
 
 FrameHasher::FrameHasher(const TDetectorOptions& options)
     : num_threads_(options.runtime.num_threads),
+      bits_(options.hashing.bits),
+      seed_(static_cast<std::uint64_t>(options.runtime.seed)),
       hasher_(options.hashing,
               options.hashing.rooted ? rooted_surf_statistics() : surf_statistics(),
-              static_cast<std::uint64_t>(options.runtime.seed))
+              seed_)
 {
 }
 
@@ -70,8 +73,9 @@ FrameDescription FrameHasher::hash(const FrameFeatures& features) const
     FrameDescription description{
         features.frame, features.timestamp, features.sensor_label, features.defect, {}, {}};
     if (features.defect != Rejection::none) return description;
-    description.global = features.global;
+    description.global = features.appearance.global;
     description.local = hash(features.local);
+    description.local.cells = hash_cells(features.appearance.cells, bits_, seed_);
     return description;
 }
 

@@ -2,6 +2,8 @@
 // The FILD pipeline (An et al., IROS 2019), Figure 2.
 #include "fild/detector/loop_detector.h"
 
+#include "fild/matching/cell_agreement.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -40,7 +42,8 @@ std::size_t bytes_of(const HashedFeatures& features)
 {
     return features.positions.size() * sizeof(PixelPosition) +
            features.codes.words.size() * sizeof(std::uint64_t) +
-           features.codes.buckets.size() * sizeof(std::uint16_t);
+           features.codes.buckets.size() * sizeof(std::uint16_t) +
+           features.cells.codes.words.size() * sizeof(std::uint64_t);
 }
 
 std::size_t bytes_of(const KeypointDepths& depths)
@@ -71,7 +74,8 @@ class LoopDetector::Trials
         if (entry.checked) return false;
         DetectorOutcome outcome{verdict_of(query_, Rejection::none), {}, {}, {}};
         detector_.verify(query_.local, entry, outcome, times_);
-        if (best_ && !came_further(entry, best_entry_)) return false;
+        convinces_ = convinces_ || outcome.verdict.accepted();
+        if (best_ && !is_better(entry, best_entry_, detector_.believable_log_odds_)) return false;
         best_ = std::move(outcome);
         best_entry_ = entry;
         return true;
@@ -79,6 +83,9 @@ class LoopDetector::Trials
 
     /** The best so far; null when none was verified. */
     const FrameVerdict* best() const { return best_ ? &best_->verdict : nullptr; }
+
+    /** True when a candidate that was verified would be accepted for itself. */
+    bool convinces() const { return convinces_; }
 
     /** With no candidate verified, the most similar one is named as too unlike. */
     DetectorOutcome outcome() &&
@@ -88,11 +95,21 @@ class LoopDetector::Trials
             best_ = DetectorOutcome{verdict_of(query_, Rejection::below_similarity), {}, {}, {}};
             best_->verdict.candidate = considered_.front().candidate;
         }
-        best_->considered = std::move(considered_);
+        best_->considered = told();
         return std::move(*best_);
     }
 
  private:
+    /** The nearest answers, and whatever else was verified. */
+    std::vector<ConsideredCandidate> told()
+    {
+        const auto is_left_out = [](const ConsideredCandidate& entry)
+        { return !entry.checked && entry.rank > kToldAnswers; };
+        considered_.erase(std::remove_if(considered_.begin(), considered_.end(), is_left_out),
+                          considered_.end());
+        return std::move(considered_);
+    }
+
     ConsideredCandidate& entry_of(const Candidate& candidate)
     {
         for (auto& entry : considered_)
@@ -107,6 +124,7 @@ class LoopDetector::Trials
     std::vector<ConsideredCandidate> considered_;
     std::optional<DetectorOutcome> best_;
     ConsideredCandidate best_entry_;  ///< of `best_`
+    bool convinces_ = false;
 };
 
 LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_dimension)
@@ -126,10 +144,14 @@ LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_d
 {
     candidate_options_.check();
     options.check_between_sections();
-    if (options.same_place.enabled) model_.emplace(options.same_place);
+    if (options.same_place.enabled)
+    {
+        model_.emplace(options.same_place);
+        believable_log_odds_ = model_->min_log_odds();
+    }
     if (!options.consistency.belief) return;
     belief_.emplace(options.consistency);
-    min_pair_log_odds_ = log_odds_of(options.consistency.min_pair_probability);
+    believable_log_odds_ = log_odds_of(options.consistency.min_pair_probability);
     near_places_ = options.consistency.near_places;
     if (options.consistency.look_ahead_seconds > 0) smoother_.emplace(options.consistency);
 }
@@ -150,7 +172,7 @@ std::vector<DetectorOutcome> LoopDetector::process(FrameDescription description,
     }
     const auto stands_since = enqueue(description, times);
     auto outcome = find_loop(description, times);
-    check_consistency(outcome);
+    check_consistency(description.local, outcome, times);
     outcome.depth_source = description.metric.depths.source;
     outcome.global = description.global;
     remember(std::move(description), stands_since);
@@ -198,10 +220,10 @@ DetectorOutcome LoopDetector::find_loop(const FrameDescription& query, StageTime
     if (answers.empty()) return {verdict_of(query, Rejection::no_candidate), {}, {}, {}};
 
     Trials trials(*this, query, answers, times);
-    for (const auto& candidate : promising(query, answers))
+    for (const auto& candidate : promising(query, in_order_of_promise(query, answers, times)))
     {
         trials.verify(candidate);
-        if (candidate_options_.stop_at_first && trials.best()->accepted()) break;
+        if (candidate_options_.stop_at_first && trials.convinces()) break;
     }
     follow_neighbours(query, trials);
     return std::move(trials).outcome();
@@ -216,21 +238,47 @@ std::vector<Candidate> LoopDetector::search(const FrameDescription& query, Stage
     return index_->search(query.global, std::max(wanted, std::min(kToldAnswers, width)));
 }
 
+/** The nearest neighbours; with best_by_cells those that agree with the query in most cells first. */
+std::vector<Candidate> LoopDetector::in_order_of_promise(const FrameDescription& query,
+                                                         std::vector<Candidate> answers,
+                                                         StageTimes& times) const
+{
+    answers.resize(std::min(answers.size(), static_cast<std::size_t>(index_options_.candidates)));
+    if (candidate_options_.best_by_cells == 0) return answers;
+    const StageTimer timer(times, "cells");
+    std::vector<std::pair<std::size_t, Candidate>> ranking;
+    ranking.reserve(answers.size());
+    for (const auto& answer : answers)
+        ranking.emplace_back(
+            agreeing_cells(query.local.cells, places_.at(answer.frame).local.cells), answer);
+    std::stable_sort(ranking.begin(),
+                     ranking.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::transform(ranking.begin(),
+                   ranking.end(),
+                   answers.begin(),
+                   [](const auto& each) { return each.second; });
+    return answers;
+}
+
+/** \param answers  the most promising first. */
 std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,
                                                const std::vector<Candidate>& answers) const
 {
+    const auto most = candidate_options_.best_by_cells == 0
+                          ? answers.size()
+                          : static_cast<std::size_t>(candidate_options_.best_by_cells);
     std::vector<Candidate> chosen;
-    const auto wanted = static_cast<std::size_t>(index_options_.candidates);
-    for (std::size_t i = 0; i < std::min(wanted, answers.size()); ++i)
+    for (const auto& answer : answers)
     {
         const auto shows_the_same_place = [&](const Candidate& other)
         {
-            return frames_between(other.frame, answers[i].frame) <=
+            return frames_between(other.frame, answer.frame) <=
                    static_cast<std::uint64_t>(candidate_options_.place_frames);
         };
-        if (answers[i].similarity >= index_options_.min_similarity &&
+        if (chosen.size() < most && answer.similarity >= index_options_.min_similarity &&
             std::none_of(chosen.begin(), chosen.end(), shows_the_same_place))
-            chosen.push_back(answers[i]);
+            chosen.push_back(answer);
     }
     if (!candidate_options_.follow_belief) return chosen;
     if (const auto place = belief_->likeliest())
@@ -255,7 +303,8 @@ void LoopDetector::verify(const HashedFeatures& query,
     verdict.matches = outcome.matches.size();
     verdict.inliers = verification.inliers.size();
     verdict.rejection = verification.rejection;
-    if (odds && !model_->convinces(*odds)) verdict.rejection = weakness_of(*odds);
+    if (odds && verdict.rejection == Rejection::none && !model_->convinces(*odds))
+        verdict.rejection = weakness_of(*odds);
     if (model_)
         verdict.support = odds ? probability_of(odds->log_odds()) : 0;
     else
@@ -305,35 +354,50 @@ std::optional<FrameId> LoopDetector::neighbour_of(FrameId place, bool later) con
     return std::nullopt;
 }
 
-void LoopDetector::check_consistency(DetectorOutcome& outcome)
+void LoopDetector::check_consistency(const HashedFeatures& query,
+                                     DetectorOutcome& outcome,
+                                     StageTimes& times)
 {
     auto& verdict = outcome.verdict;
     if (belief_)
-        ask_belief(outcome);
+    {
+        update_belief(outcome);
+        ask(belief_->states(), query, outcome, times);
+    }
     else if (!verdict.accepted())
         consistency_.add_unverified();
     else if (!consistency_.add_verified(places_.at(verdict.candidate->frame).timestamp))
         verdict.rejection = Rejection::not_consistent_yet;
 }
 
-void LoopDetector::ask_belief(DetectorOutcome& outcome)
+void LoopDetector::update_belief(const DetectorOutcome& outcome)
 {
     std::vector<ComparedPlace> compared;
-    auto& verdict = outcome.verdict;
     for (const auto& entry : outcome.considered)
         if (entry.checked) compared.push_back({entry.candidate.frame, entry.odds});
-    const double probability = belief_->update(compared);
+    belief_->update(compared);
     if (smoother_) smoother_->add(*belief_);
-    for (const auto& [entry, place] : believable(outcome))
-        if (entry->candidate.frame == verdict.candidate->frame)
-            judge(verdict, entry->rejection, probability);
+}
+
+/** Names the candidate that the belief holds for the most probable, and judges it. */
+void LoopDetector::ask(const PlaceStates& states,
+                       const HashedFeatures& query,
+                       DetectorOutcome& outcome,
+                       StageTimes& times) const
+{
+    const auto candidates = believable(outcome);
+    if (candidates.empty()) return;
+    auto named = most_probable(candidates, states);
+    if (named.candidate.frame != outcome.verdict.candidate->frame)
+        verify(query, named, outcome, times);
+    judge(outcome.verdict, named.rejection, probability_near(candidates, states, near_places_));
 }
 
 std::vector<BelievableCandidate> LoopDetector::believable(const DetectorOutcome& outcome) const
 {
     std::vector<BelievableCandidate> candidates;
     for (const auto& entry : outcome.considered)
-        if (entry.odds && entry.odds->log_odds() >= min_pair_log_odds_)
+        if (entry.odds && entry.odds->log_odds() >= believable_log_odds_)
             candidates.push_back({&entry, belief_->place_of(entry.candidate.frame)});
     return candidates;
 }
@@ -374,12 +438,7 @@ void LoopDetector::ask_later_frames(DetectorOutcome& outcome, StageTimes& times)
         const StageTimer timer(times, "look_ahead");
         states = smoother_->oldest();
     }
-    auto& verdict = outcome.verdict;
-    const auto candidates = believable(outcome);
-    auto named = most_probable(candidates, states);
-    if (named.candidate.frame != verdict.candidate->frame)
-        verify(places_.at(verdict.frame).local, named, outcome, times);
-    judge(verdict, named.rejection, probability_near(candidates, states, near_places_));
+    ask(states, places_.at(outcome.verdict.frame).local, outcome, times);
 }
 
 void LoopDetector::add_pose(DetectorOutcome& outcome, StageTimes& times) const

@@ -25,7 +25,6 @@ int sign_against_look_alike(Evidence kind)
         case Evidence::shape_share:
         case Evidence::close_share:
         case Evidence::overlap_share:
-        case Evidence::confirmed_share:
             return -1;
         default:
             return 1;

@@ -77,24 +77,33 @@ std::string last_layers(const std::vector<cv::String>& names)
     return last;
 }
 
-/** The names under which OpenCV keeps the wanted layers: for ONNX it puts a prefix before the name
- * of a node. */
+/** The name under which OpenCV keeps the wanted layer: for ONNX it puts a prefix before the name of a
+ *  node. */
+std::string find_layer(const cv::dnn::Net& net,
+                       const std::string& key,
+                       const std::string& wanted,
+                       const TGlobalDescriptorOptions& options)
+{
+    const auto known = net.getLayerNames();
+    const auto is_wanted = [&](const std::string& name)
+    { return name == wanted || name == "onnx_node!" + wanted; };
+    const auto name = std::find_if(known.begin(), known.end(), is_wanted);
+    if (name == known.end())
+        throw std::runtime_error("[global_descriptor] " + key + ": " + options.model_file +
+                                 " has no layer '" + wanted + "'; its last are" +
+                                 last_layers(known));
+    return *name;
+}
+
+/** The layers of the descriptor, then that of the cells. */
 std::vector<std::string> find_layers(const cv::dnn::Net& net,
                                      const TGlobalDescriptorOptions& options)
 {
-    const auto known = net.getLayerNames();
     std::vector<std::string> found;
     for (const auto& wanted : options.layer_names())
-    {
-        const auto is_wanted = [&](const std::string& name)
-        { return name == wanted || name == "onnx_node!" + wanted; };
-        const auto name = std::find_if(known.begin(), known.end(), is_wanted);
-        if (name == known.end())
-            throw std::runtime_error("[global_descriptor] layers: " + options.model_file +
-                                     " has no layer '" + wanted + "'; its last are" +
-                                     last_layers(known));
-        found.push_back(*name);
-    }
+        found.push_back(find_layer(net, "layers", wanted, options));
+    if (!options.cell_layer.empty())
+        found.push_back(find_layer(net, "cell_layer", options.cell_layer, options));
     return found;
 }
 
@@ -147,6 +156,12 @@ std::vector<cv::Mat> outputs_of(cv::dnn::Net& net,
     return outputs;
 }
 
+void require_finite(const std::vector<float>& numbers, const TGlobalDescriptorOptions& options)
+{
+    if (!std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::isfinite(x); }))
+        throw std::runtime_error(options.model_file + " gives numbers that are not finite");
+}
+
 /** The smallest image that tells everything of a network. */
 cv::Mat black_input(const TGlobalDescriptorOptions& options)
 {
@@ -188,7 +203,7 @@ GlobalDescriptorExtractor::GlobalDescriptorExtractor(const TGlobalDescriptorOpti
     refuse_crashing_network(options_);
     network_->net = read_network(options_);
     network_->layers = find_layers(network_->net, options_);
-    dimension_ = forward(black_input(options_)).size();
+    dimension_ = forward(black_input(options_)).global.size();
     const auto wanted = static_cast<std::size_t>(options_.dimension);
     if (wanted != 0 && wanted != dimension_)
         throw std::runtime_error("[global_descriptor] " + options_.model_file +
@@ -202,24 +217,30 @@ GlobalDescriptorExtractor::GlobalDescriptorExtractor(GlobalDescriptorExtractor&&
 GlobalDescriptorExtractor& GlobalDescriptorExtractor::operator=(
     GlobalDescriptorExtractor&&) noexcept = default;
 
-GlobalDescriptor GlobalDescriptorExtractor::extract(const cv::Mat& image)
+ImageAppearance GlobalDescriptorExtractor::extract(const cv::Mat& image)
 {
     return forward(to_bgr(image));
 }
 
-GlobalDescriptor GlobalDescriptorExtractor::forward(const cv::Mat& bgr)
+ImageAppearance GlobalDescriptorExtractor::forward(const cv::Mat& bgr)
 {
-    GlobalDescriptor descriptor;
-    for (const auto& output : outputs_of(network_->net, network_->layers, bgr, options_))
+    auto outputs = outputs_of(network_->net, network_->layers, bgr, options_);
+    ImageAppearance appearance;
+    if (!options_.cell_layer.empty())
+    {
+        appearance.cells = to_cells(to_feature_map(outputs.back()));
+        outputs.pop_back();
+    }
+    auto& descriptor = appearance.global;
+    for (const auto& output : outputs)
     {
         const auto pooled = pool(to_feature_map(output), options_);
         descriptor.insert(descriptor.end(), pooled.begin(), pooled.end());
     }
     normalize(descriptor.begin(), descriptor.end());
-    if (!std::all_of(
-            descriptor.begin(), descriptor.end(), [](float x) { return std::isfinite(x); }))
-        throw std::runtime_error(options_.model_file + " gives numbers that are not finite");
-    return descriptor;
+    require_finite(descriptor, options_);
+    require_finite(appearance.cells.values, options_);
+    return appearance;
 }
 
 }  // namespace fild

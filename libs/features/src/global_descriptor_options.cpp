@@ -43,6 +43,7 @@ void TGlobalDescriptorOptions::describe(OptionVisitor& visitor)
     visitor.text("model_file", model_file);
     visitor.text("caffe_prototxt_file", caffe_prototxt_file);
     visitor.text("layers", layers);
+    visitor.text("cell_layer", cell_layer);
     visitor.integer("input_width", input_width, 1, 10000);
     visitor.integer("input_height", input_height, 1, 10000);
     visitor.text("mean", mean);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace fild
 {
@@ -32,6 +34,14 @@ float generalised_mean(const FeatureMap& map, int channel, const Cell& cell, dou
     }
     const double mean = sum / ((cell.bottom - cell.top) * (cell.right - cell.left));
     return static_cast<float>(power == 1 ? mean : std::pow(mean, 1 / power));
+}
+
+std::pair<double, double> mean_and_deviation(const float* values, std::size_t count)
+{
+    const auto n = static_cast<double>(count);
+    const double mean = std::accumulate(values, values + count, 0.0) / n;
+    const auto add_square = [mean](double sum, float x) { return sum + (x - mean) * (x - mean); };
+    return {mean, std::sqrt(std::accumulate(values, values + count, 0.0, add_square) / n)};
 }
 
 std::vector<float> pool_cells(const FeatureMap& map, int rows, int columns, double power)
@@ -74,6 +84,22 @@ void normalize(std::vector<float>::iterator first, std::vector<float>::iterator 
     if (squares == 0) return;
     const double norm = std::sqrt(squares);
     std::for_each(first, last, [&](float& x) { x = static_cast<float>(x / norm); });
+}
+
+CellFeatures to_cells(const FeatureMap& map)
+{
+    CellFeatures cells{map.rows, map.columns, map.channels, {}};
+    const auto channels = static_cast<std::size_t>(map.channels);
+    cells.values.resize(cells.size() * channels);
+    for (std::size_t c = 0; c < channels; ++c)
+    {
+        const float* values = map.data + c * cells.size();
+        const auto [mean, deviation] = mean_and_deviation(values, cells.size());
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            cells.values[i * channels + c] =
+                deviation > 0 ? static_cast<float>((values[i] - mean) / deviation) : 0;
+    }
+    return cells;
 }
 
 std::vector<float> pool(const FeatureMap& map, const TGlobalDescriptorOptions& options)

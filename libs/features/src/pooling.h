@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/descriptors.h"
 #include "fild/features/global_descriptor_options.h"
 
 #include <opencv2/core/mat.hpp>
@@ -25,6 +26,9 @@ FeatureMap to_feature_map(const cv::Mat& blob);
  *  pooling cells x channels, cell by cell, row by row.
  *  \throw std::runtime_error when the grid is finer than the map. */
 std::vector<float> pool(const FeatureMap& map, const TGlobalDescriptorOptions& options);
+
+/** The map cell by cell, each channel with mean 0 and deviation 1; one that does not vary is 0. */
+CellFeatures to_cells(const FeatureMap& map);
 
 /** Scales the numbers in [first, last) to unit norm; leaves zeros alone. */
 void normalize(std::vector<float>::iterator first, std::vector<float>::iterator last);

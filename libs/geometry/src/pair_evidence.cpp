@@ -3,7 +3,6 @@
 
 #include "fild/core/spread.h"
 #include "fild/geometry/shape_agreement.h"
-#include "keypoint_grid.h"
 
 #include <opencv2/calib3d.hpp>
 
@@ -17,15 +16,10 @@ namespace
 {
 // All lengths are shares of the image's diagonal.
 constexpr double kAffineError = 0.03;  // of an inlier from where the affine map takes it
-constexpr double kNearInlier = 0.08;  // keypoints further from any inlier are not predicted
-constexpr double kSearchRadius = 0.025;  // about the predicted position
 constexpr double kBorder = 0.03;  // of the image's sides, where keypoints are missed
 constexpr double kMaxScale = 5;
-constexpr double kSearchOctaves = 0.7;
 constexpr std::size_t kMapPairs = 200;  // inliers that a LocalMap keeps, evenly chosen
-constexpr double kSmallestSizePx = 10;  // a keypoint that would be smaller is not expected
 constexpr double kCloseBits = 0.2;  // share of a code's bits
-constexpr double kSimilarBits = 0.235;
 
 double share(std::size_t part, std::size_t whole)
 {
@@ -62,13 +56,7 @@ class LocalMap
     {
     }
 
-    struct Prediction
-    {
-        PixelPosition position;
-        double squared_distance = 0;  ///< of the nearest known pair, pixels^2
-    };
-
-    Prediction operator()(const PixelPosition& p) const
+    PixelPosition operator()(const PixelPosition& p) const
     {
         std::size_t nearest = 0;
         double least = squared_distance(p, from_.front());
@@ -81,9 +69,8 @@ class LocalMap
         const cv::Vec2d way(static_cast<double>(p.x - from_[nearest].x),
                             static_cast<double>(p.y - from_[nearest].y));
         const cv::Vec2d moved = linear_ * way;
-        return {{to_[nearest].x + static_cast<float>(moved[0]),
-                 to_[nearest].y + static_cast<float>(moved[1])},
-                least};
+        return {to_[nearest].x + static_cast<float>(moved[0]),
+                to_[nearest].y + static_cast<float>(moved[1])};
     }
 
     double scale() const { return std::sqrt(std::abs(cv::determinant(linear_))); }
@@ -147,44 +134,12 @@ std::size_t matches_in_overlap(const MatchedPair& pair, const LocalMap& map)
     std::size_t seen = 0;
     for (const auto& match : pair.matches)
     {
-        const auto there = map(pair.query.positions[match.query]).position;
-        const auto here = back(pair.candidate.positions[match.candidate]).position;
+        const auto there = map(pair.query.positions[match.query]);
+        const auto here = back(pair.candidate.positions[match.candidate]);
         if (is_inside(there, pair.candidate.image_size) && is_inside(here, pair.query.image_size))
             ++seen;
     }
     return seen;
-}
-
-/** Looks for the query's strong keypoints, the first half, where the map says they should be. */
-double confirmed_share(const MatchedPair& pair, const LocalMap& map)
-{
-    const auto& [query, candidate, matches, inliers] = pair;
-    const double near = kNearInlier * diagonal(query.image_size);
-    const KeypointGrid grid(candidate, kSearchRadius * diagonal(candidate.image_size));
-    const double octaves = std::log2(map.scale());
-    const int size_steps = static_cast<int>(std::lround(octaves * KeypointShape::kStepsPerOctave));
-    const int smallest =
-        static_cast<int>(std::log2(kSmallestSizePx) * KeypointShape::kStepsPerOctave);
-    std::size_t expected = 0;
-    std::size_t confirmed = 0;
-    for (std::size_t k = 0; k < (query.positions.size() + 1) / 2; ++k)
-    {
-        const int size = int{query.shapes[k].size} + size_steps;
-        if (size < smallest) continue;
-        const auto predicted = map(query.positions[k]);
-        if (predicted.squared_distance > near * near ||
-            !is_inside(predicted.position, candidate.image_size))
-            continue;
-        ++expected;
-        const KeypointGrid::Wanted wanted{
-            predicted.position,
-            size,
-            static_cast<int>(kSearchOctaves * KeypointShape::kStepsPerOctave),
-            query.codes.code(k),
-            static_cast<int>(kSimilarBits * query.codes.bits)};
-        if (grid.has(wanted)) ++confirmed;
-    }
-    return share(confirmed, expected);
 }
 
 void require_shapes(const HashedFeatures& features)
@@ -218,12 +173,9 @@ EvidenceValues measure_evidence(const MatchedPair& pair)
     set(Evidence::shape_share, share(shape.agreeing, inliers.size()));
     set(Evidence::affine_share, share(affine.agreeing, inliers.size()));
     set(Evidence::match_share, share(matches.size(), keypoints));
-    set(Evidence::close_inlier_share, share(count_close(inliers, query.codes.bits), close));
     set(Evidence::close_share, share(close, matches.size()));
     set(Evidence::overlap_share,
         share(affine.map ? matches_in_overlap(pair, *affine.map) : matches.size(), matches.size()));
-    set(Evidence::confirmed_share,
-        affine.map ? confirmed_share(pair, *affine.map) : share(keypoints, keypoints));
     return values;
 }
 

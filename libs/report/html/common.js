@@ -251,7 +251,7 @@ window.addEventListener('afterprint', () => {
 
 /** Stages that are parts of a frame, in the order of the pipeline. */
 const frameStages = ['image_decoding', 'global_descriptor', 'local_features', 'hashing', 'depth', 'index_insertion',
-                     'index_search', 'matching', 'verification', 'evidence', 'relative_pose'];
+                     'index_search', 'cells', 'matching', 'verification', 'evidence', 'relative_pose'];
 
 const stageColour = stage => palette[frameStages.indexOf(stage)];
 

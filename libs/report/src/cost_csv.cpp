@@ -10,13 +10,14 @@ namespace fild
 {
 namespace
 {
-constexpr std::array<const char*, 12> kStages = {"image_decoding",
+constexpr std::array<const char*, 13> kStages = {"image_decoding",
                                                  "global_descriptor",
                                                  "local_features",
                                                  "hashing",
                                                  "depth",
                                                  "index_insertion",
                                                  "index_search",
+                                                 "cells",
                                                  "matching",
                                                  "verification",
                                                  "evidence",

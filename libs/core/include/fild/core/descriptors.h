@@ -100,6 +100,30 @@ struct BinaryCodes
 /** Hamming distance of two codes of `words` words, bits. */
 int hamming_distance(const std::uint64_t* a, const std::uint64_t* b, std::size_t words);
 
+/** What a layer of the network sees in each cell of an image: `channels` numbers a cell, the cells row
+ *  by row. Of each channel the mean over the image is 0 and the deviation 1, so that light and colour
+ *  of a whole image do not count. */
+struct CellFeatures
+{
+    int rows = 0;
+    int columns = 0;
+    int channels = 0;
+    std::vector<float> values;
+
+    std::size_t size() const
+    {
+        return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
+    }
+};
+
+/** The binary codes of an image's cells, row by row. */
+struct CellCodes
+{
+    int rows = 0;
+    int columns = 0;
+    BinaryCodes codes;
+};
+
 /** What the map keeps of a frame for the verification of later loops. Keypoint i has position i,
  *  shape i and code i; the strongest keypoints come first. */
 struct HashedFeatures
@@ -108,6 +132,7 @@ struct HashedFeatures
     BinaryCodes codes;
     std::vector<KeypointShape> shapes{};
     ImageSize image_size{};
+    CellCodes cells{};  ///< none: [global_descriptor] cell_layer is empty
 };
 
 /** Two local features taken for the same point of the scene. */

@@ -21,21 +21,15 @@ enum class Evidence
     affine_share,
     /** Matches, divided by the keypoints of the image with fewer. */
     match_share,
-    /** Inliers among the close matches. */
-    close_inlier_share,
     /** Close matches among all matches. Many close matches that do not agree on one motion are
      *  typical of repeated things: windows, doors, signs. */
     close_share,
     /** Matches whose keypoints both lie in the part that both images show, as predicted from the
      *  inliers. Views that overlap little have wrong matches outside it. */
-    overlap_share,
-    /** Of the query's strong keypoints near inliers that the candidate should show, those with a
-     *  similar keypoint at the predicted position. If nearly all are found, nearly all matches
-     *  should agree as well; in a look-alike place they do not. */
-    confirmed_share
+    overlap_share
 };
 
-constexpr std::size_t kEvidenceKinds = 8;
+constexpr std::size_t kEvidenceKinds = 6;
 
 /** The enumerator's name: an .ini key and a column of candidates.csv. */
 std::string to_word(Evidence kind);

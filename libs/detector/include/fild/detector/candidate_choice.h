@@ -16,11 +16,13 @@ struct BelievableCandidate
     std::size_t place = 0;  ///< in PlaceStates
 };
 
-/** True when the first has the better evidence, or equal evidence and more matches. */
-bool came_further(const ConsideredCandidate& a, const ConsideredCandidate& b);
+/** True when the first is the better candidate: its log odds are greater, or those of both are at least
+ *  `enough` and it has more inliers, which show more of the place and give a better metric pose. Equals
+ *  are compared by their matches. */
+bool is_better(const ConsideredCandidate& a, const ConsideredCandidate& b, double enough);
 
 /** Which candidate a verdict names: of those within kEvidenceReach of the most probable candidate's
- *  place, the one that came further than the others. \pre there is a candidate. */
+ *  place, the one with most inliers. \pre there is a candidate. */
 const ConsideredCandidate& most_probable(const std::vector<BelievableCandidate>& candidates,
                                          const PlaceStates& states);
 

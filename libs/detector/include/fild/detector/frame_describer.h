@@ -20,7 +20,7 @@ struct FrameFeatures
     double timestamp = 0;  ///< seconds since the UNIX epoch
     std::string sensor_label;
     Rejection defect = Rejection::none;  ///< as in Frame; there are no features then
-    GlobalDescriptor global;
+    ImageAppearance appearance;
     LocalFeatures local;
 };
 
@@ -70,10 +70,13 @@ class FrameHasher
     explicit FrameHasher(const TDetectorOptions& options);
 
     FrameDescription hash(const FrameFeatures& features) const;
+    /** Without cells. */
     HashedFeatures hash(const LocalFeatures& features) const;
 
  private:
     int num_threads_;
+    int bits_;
+    std::uint64_t seed_;
     CodeHasher hasher_;
 };
 

@@ -44,8 +44,8 @@ class LoopDetector
     LoopDetector(const TDetectorOptions& options, std::size_t global_dimension);
 
     /** Takes the next frame.
-     *  \param times receives "index_insertion", "index_search", "matching", "verification",
-     *  "evidence", "look_ahead" and "relative_pose".
+     *  \param times receives "index_insertion", "index_search", "cells", "matching",
+     *  "verification", "evidence", "look_ahead" and "relative_pose".
      *  \return the frames whose verdict can now be given, oldest first. Without look-ahead this frame,
      *  and no other.
      *  \throw std::invalid_argument when ids do not increase or a descriptor has another length;
@@ -73,6 +73,9 @@ class LoopDetector
     void insert_released(const std::vector<DelayQueue::Entry>& released, StageTimes& times);
     std::vector<Candidate> search(const FrameDescription& query, StageTimes& times) const;
     DetectorOutcome find_loop(const FrameDescription& query, StageTimes& times) const;
+    std::vector<Candidate> in_order_of_promise(const FrameDescription& query,
+                                               std::vector<Candidate> answers,
+                                               StageTimes& times) const;
     std::vector<Candidate> promising(const FrameDescription& query,
                                      const std::vector<Candidate>& answers) const;
     void verify(const HashedFeatures& query,
@@ -81,8 +84,14 @@ class LoopDetector
                 StageTimes& times) const;
     void follow_neighbours(const FrameDescription& query, Trials& trials) const;
     std::optional<FrameId> neighbour_of(FrameId place, bool later) const;
-    void check_consistency(DetectorOutcome& outcome);
-    void ask_belief(DetectorOutcome& outcome);
+    void check_consistency(const HashedFeatures& query,
+                           DetectorOutcome& outcome,
+                           StageTimes& times);
+    void update_belief(const DetectorOutcome& outcome);
+    void ask(const PlaceStates& states,
+             const HashedFeatures& query,
+             DetectorOutcome& outcome,
+             StageTimes& times) const;
     void judge(FrameVerdict& verdict, Rejection of_pair, double probability) const;
     std::vector<BelievableCandidate> believable(const DetectorOutcome& outcome) const;
     std::vector<DetectorOutcome> take_due(StageTimes& times);
@@ -104,7 +113,7 @@ class LoopDetector
     TemporalConsistency consistency_;
     std::optional<SamePlaceModel> model_;  ///< none: [same_place] is off
     std::optional<PlaceBelief> belief_;  ///< none: consecutive frames are counted
-    double min_pair_log_odds_ = 0;  ///< of a pair that the belief may accept
+    double believable_log_odds_ = 0;  ///< of a pair that may be accepted
     int near_places_ = 0;
     std::optional<PlaceSmoother> smoother_;  ///< of the waiting frames; none: no look-ahead
     WaitingVerdicts waiting_;

@@ -18,9 +18,9 @@ struct EvidenceWeights
 
 /** Section [same_place]: the probability that a pair of frames shows one place. The coefficients are
  *  fitted by tests/benchmark/fit_same_place.py to labelled runs. Each has a fixed sign, so that more of
- *  one kind of evidence never changes sides. Against look-alikes, shape, close matches, overlap and
- *  confirmed keypoints count as reasons for doubt: the more alike the two views are, the more of a
- *  same place would match. */
+ *  one kind of evidence never changes sides. Against look-alikes, shape, close matches and overlap
+ *  count as reasons for doubt: the more alike the two views are, the more of a same place would
+ *  match. */
 struct TSamePlaceOptions : Options
 {
     bool enabled = false;  ///< false: min_inliers (tau) alone decides, as in the paper

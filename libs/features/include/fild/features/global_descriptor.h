@@ -10,6 +10,13 @@
 
 namespace fild
 {
+/** What the network tells of an image. */
+struct ImageAppearance
+{
+    GlobalDescriptor global;
+    CellFeatures cells;  ///< none: options.cell_layer is empty
+};
+
 /** Appearance of a whole image by a convolutional network, MobileNetV2 in FILD (IROS 2019) section
  *  III-A: one or more layers' outputs, pooled and normalised. Batch normalisation is expected to be
  *  merged with the convolutions in the model file, Eq. (1) to (3).
@@ -29,14 +36,14 @@ class GlobalDescriptorExtractor
     GlobalDescriptorExtractor& operator=(GlobalDescriptorExtractor&&) noexcept;
 
     /** \param image 8 bit, one channel (grey) or three (BGR), any size but empty.
-     *  \return dimension() numbers of unit norm; all zero when all activations are.
+     *  \return `global`: dimension() numbers of unit norm; all zero when all activations are.
      *  \throw std::invalid_argument on another kind of image. */
-    GlobalDescriptor extract(const cv::Mat& image);
+    ImageAppearance extract(const cv::Mat& image);
 
     std::size_t dimension() const { return dimension_; }
 
  private:
-    GlobalDescriptor forward(const cv::Mat& image);
+    ImageAppearance forward(const cv::Mat& image);
 
     struct Network;  // keeps OpenCV's dnn header in one .cpp
     TGlobalDescriptorOptions options_;

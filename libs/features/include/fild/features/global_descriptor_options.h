@@ -32,6 +32,9 @@ struct TGlobalDescriptorOptions : Options
     std::string caffe_prototxt_file;  ///< Caffe's network description; empty: model_file is ONNX
     /** Output layers, separated by blanks; their pooled vectors are normalised and concatenated. */
     std::string layers = "FeatureExtractor/MobilenetV2/Conv_1/Relu6";
+    /** Layer whose cells are compared one by one, beside the descriptor of the whole image; empty:
+     *  none, as in the paper. */
+    std::string cell_layer;
     int input_width = 300;  ///< pixels; images are resized to it, whatever their aspect
     int input_height = 300;
     std::string mean =

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "code_distance.h"
+#include "fild/core/random.h"
+#include "fild/matching/cell_agreement.h"
+#include "fild/matching/cell_hasher.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+namespace
+{
+using fild::agreeing_cells;
+using fild::CellCodes;
+using fild::CellFeatures;
+using fild::testing::code_distance;
+
+constexpr int kRows = 6;
+constexpr int kColumns = 8;
+constexpr int kChannels = 16;
+
+CellFeatures random_cells(std::uint64_t seed)
+{
+    std::mt19937_64 generator(seed);
+    CellFeatures cells{kRows, kColumns, kChannels, {}};
+    for (std::size_t i = 0; i < cells.size() * kChannels; ++i)
+        cells.values.push_back(static_cast<float>(fild::standard_normal(generator)));
+    return cells;
+}
+
+CellCodes codes_of(const CellFeatures& cells)
+{
+    return fild::hash_cells(cells, 256, 1);
+}
+
+/** The cells moved to the right; what comes in from the left is new. */
+CellFeatures moved(const CellFeatures& cells, int columns)
+{
+    auto result = random_cells(77);
+    for (int row = 0; row < kRows; ++row)
+        for (int column = 0; column + columns < kColumns; ++column)
+            for (int c = 0; c < kChannels; ++c)
+                result.values[((row * kColumns) + column + columns) * kChannels + c] =
+                    cells.values[((row * kColumns) + column) * kChannels + c];
+    return result;
+}
+
+/** The same cells in a random order. */
+CellFeatures shuffled(const CellFeatures& cells, std::uint64_t seed)
+{
+    std::mt19937_64 generator(seed);
+    auto result = cells;
+    for (std::size_t i = cells.size() - 1; i > 0; --i)
+        for (std::size_t c = 0, j = generator() % (i + 1); c < kChannels; ++c)
+            std::swap(result.values[i * kChannels + c], result.values[j * kChannels + c]);
+    return result;
+}
+
+TEST(CellHasher, MakesACodeForEachCellFromItsNumbersAndTheSeed)
+{
+    const auto cells = random_cells(1);
+    const auto codes = codes_of(cells);
+    EXPECT_EQ(codes.rows, kRows);
+    EXPECT_EQ(codes.columns, kColumns);
+    EXPECT_EQ(codes.codes.size(), cells.size());
+    EXPECT_EQ(codes.codes.bits, 256);
+    EXPECT_EQ(codes.codes.words, codes_of(cells).codes.words);
+    EXPECT_NE(codes.codes.words, fild::hash_cells(cells, 256, 2).codes.words);
+}
+
+// P(bit differs) = angle / pi for random hyperplanes (Charikar, STOC 2002).
+TEST(CellHasher, OppositeCellsHaveOppositeCodesAndStrangersDifferInHalfTheBits)
+{
+    const auto cells = random_cells(1);
+    auto opposite = cells;
+    for (auto& x : opposite.values) x = -x;
+    const auto codes = codes_of(cells).codes;
+    const auto other = codes_of(opposite).codes;
+    int between_strangers = 0;
+    for (std::size_t i = 0; i + 1 < codes.size(); ++i)
+    {
+        EXPECT_EQ(code_distance(codes, i, other, i), 256);
+        between_strangers += code_distance(codes, i, codes, i + 1);
+    }
+    EXPECT_NEAR(between_strangers / static_cast<double>(codes.size() - 1), 128, 10);
+}
+
+TEST(CellHasher, MakesNoCodesOfNoCells)
+{
+    EXPECT_EQ(fild::hash_cells({}, 256, 1).codes.size(), 0U);
+}
+
+TEST(AgreeingCells, AreAllOfTheSameView)
+{
+    const auto codes = codes_of(random_cells(1));
+    EXPECT_EQ(agreeing_cells(codes, codes), codes.codes.size());
+}
+
+TEST(AgreeingCells, AreThoseThatAViewFromTheSideStillShows)
+{
+    const auto cells = random_cells(1);
+    const auto there = codes_of(moved(cells, 2));
+    EXPECT_GE(agreeing_cells(codes_of(cells), there),
+              static_cast<std::size_t>(kRows * (kColumns - 2)) - 2);
+    EXPECT_LE(agreeing_cells(codes_of(cells), there),
+              static_cast<std::size_t>(kRows * (kColumns - 2)) + 2);
+}
+
+TEST(AgreeingCells, AreFewWhereTheSameThingsStandInAnotherOrder)
+{
+    const auto cells = random_cells(1);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed)
+        EXPECT_LE(agreeing_cells(codes_of(cells), codes_of(shuffled(cells, seed))), 15U)
+            << "of 48, seed " << seed;
+}
+
+TEST(AgreeingCells, AreFewInStrangePlacesAndInFeaturelessOnes)
+{
+    EXPECT_LE(agreeing_cells(codes_of(random_cells(1)), codes_of(random_cells(2))), 6U);
+    const CellFeatures wall{
+        kRows, kColumns, kChannels, std::vector<float>(random_cells(1).values.size())};
+    EXPECT_LE(agreeing_cells(codes_of(wall), codes_of(wall)), 1U);
+}
+
+TEST(AgreeingCells, AreNoneWithoutCells)
+{
+    const auto codes = codes_of(random_cells(1));
+    EXPECT_EQ(agreeing_cells({}, codes), 0U);
+    EXPECT_EQ(agreeing_cells(codes, {}), 0U);
+}
+
+TEST(AgreeingCells, CompareMapsOfOtherSizes)
+{
+    auto smaller = codes_of(random_cells(1));
+    smaller.rows = 4;
+    smaller.codes.words.resize(4 * kColumns * 4);
+    EXPECT_EQ(agreeing_cells(smaller, codes_of(random_cells(1))), 32U);
+    EXPECT_EQ(agreeing_cells(codes_of(random_cells(1)), smaller), 32U);
+}
+
+TEST(AgreeingCells, RefuseCodesOfAnotherLength)
+{
+    const auto codes = codes_of(random_cells(1));
+    EXPECT_THROW(agreeing_cells(codes, fild::hash_cells(random_cells(1), 128, 1)),
+                 std::invalid_argument);
+}
+}  // namespace
