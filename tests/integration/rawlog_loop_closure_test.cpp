@@ -155,6 +155,7 @@ TEST_F(RawlogLoopClosure, ShowsHelpAndVersion)
 
 TEST_F(RawlogLoopClosure, SaysOnATerminalWhatItDoes)
 {
+    write_rawlog(two_laps());
     const auto on_terminal = [this](const std::string& more)
     {
         return fild::testing::run_command("script -qec \"" + app() + arguments(more) +
