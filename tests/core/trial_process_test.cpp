@@ -40,7 +40,7 @@ std::string crash_of(const std::function<void()>& task)
 
 TEST(RunInTrial, BringsWhatTheTaskReturns)
 {
-    const std::string large(300000, 'x');
+    std::string large(300000, 'x');
     const auto outcome = outcome_of([&] { return large; });
     EXPECT_EQ(outcome.crash, "");
     EXPECT_EQ(outcome.error, std::nullopt);
