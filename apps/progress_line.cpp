@@ -60,4 +60,9 @@ double ProgressLine::seconds() const
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
+void say_on_terminal(bool quiet, const std::string& step)
+{
+    if (!quiet && ::isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "%s ...\n", step.c_str());
+}
+
 }  // namespace fild

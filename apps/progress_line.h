@@ -35,4 +35,8 @@ class ProgressLine
     double next_fraction_ = 0.05;
 };
 
+/** Tells the user on a terminal, in a line of its own, which step without a progress line begins;
+ *  nothing elsewhere, or when quiet. */
+void say_on_terminal(bool quiet, const std::string& step);
+
 }  // namespace fild

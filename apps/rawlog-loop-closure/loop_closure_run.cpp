@@ -169,6 +169,7 @@ void run_loop_closure(RunRequest request)
     const auto& options = request.options;
     if (request.truth) require_readable(request.truth->file);
     RawlogReader reader(request.rawlog, options.stream.input.max_entry_megabytes);
+    say_on_terminal(request.quiet, "reading the network");
     LoopClosureStream stream(options.stream, request.rawlog);
     const OutputFolder folder(request.output);
     Gathered gathered(folder, options);
@@ -180,6 +181,7 @@ void run_loop_closure(RunRequest request)
     summary.ignored_camera_labels = stream.frames().ignored_camera_labels();
     summary.frame_notes = notes_on_frames(gathered, stream.frames(), options.stream.detector.index);
     RunOutput output(request, folder, stream, gathered);
+    say_on_terminal(request.quiet, "making the map and the pictures");
     output.write_results(builder);
     output.attempt("cannot report the result",
                    [&]

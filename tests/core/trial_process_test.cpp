@@ -22,23 +22,50 @@ namespace
 {
 constexpr fild::TrialLimits kLimits{std::size_t{64} << 20U, 1, 1};
 
-std::string crash_of(const std::function<void()>& task)
+fild::TrialOutcome outcome_of(const std::function<std::string()>& task)
 {
-    return fild::crash_in_trial(task, kLimits);
+    return fild::run_in_trial(task, kLimits);
 }
 
-TEST(CrashInTrial, IsNoneWhenTheTaskEndsOrThrows)
+std::string crash_of(const std::function<void()>& task)
+{
+    return outcome_of(
+               [&]
+               {
+                   task();
+                   return std::string();
+               })
+        .crash;
+}
+
+TEST(RunInTrial, BringsWhatTheTaskReturns)
+{
+    std::string large(300000, 'x');
+    const auto outcome = outcome_of([&] { return large; });
+    EXPECT_EQ(outcome.crash, "");
+    EXPECT_EQ(outcome.error, std::nullopt);
+    EXPECT_EQ(outcome.result, large);
+}
+
+TEST(RunInTrial, BringsTheErrorThatItThrows)
+{
+    const auto outcome = outcome_of([]() -> std::string { throw std::runtime_error("refused"); });
+    EXPECT_EQ(outcome.crash, "");
+    EXPECT_EQ(outcome.error, "refused");
+}
+
+TEST(RunInTrial, IsNoneWhenTheTaskEndsOrThrows)
 {
     EXPECT_EQ(crash_of([] {}), "");
     EXPECT_EQ(crash_of([] { throw std::runtime_error("refused"); }), "");
 }
 
-TEST(CrashInTrial, NamesTheSignal)
+TEST(RunInTrial, NamesTheSignal)
 {
     EXPECT_EQ(crash_of([] { std::raise(SIGSEGV); }), "signal " + std::to_string(SIGSEGV));
 }
 
-TEST(CrashInTrial, BoundsMemory)
+TEST(RunInTrial, BoundsMemory)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "the sanitizers end the process when memory is out";
@@ -49,8 +76,8 @@ TEST(CrashInTrial, BoundsMemory)
     EXPECT_EQ(crash_of(take(100)), "more than 64 MB of memory");
 }
 
-/** Then the task throws here what it threw there: it is not the file's fault. */
-TEST(CrashInTrial, IsNoneWhenTheSystemGrantsLessMemoryThanTheLimit)
+/** Then it is not the file's fault. */
+TEST(RunInTrial, IsNoneWhenTheSystemGrantsLessMemoryThanTheLimit)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     GTEST_SKIP() << "the sanitizers take more address space than any limit grants";
@@ -62,13 +89,18 @@ TEST(CrashInTrial, IsNoneWhenTheSystemGrantsLessMemoryThanTheLimit)
     auto limit = before;
     limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (32U << 20U);
     ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
-    const auto crash = crash_of(
-        [] { std::vector<char>(std::size_t{48} << 20U, 'a').swap(*new std::vector<char>); });
+    const auto outcome = outcome_of(
+        []
+        {
+            std::vector<char>(std::size_t{200} << 20U, 'a').swap(*new std::vector<char>);
+            return std::string();
+        });
     setrlimit(RLIMIT_AS, &before);
-    EXPECT_EQ(crash, "");
+    EXPECT_EQ(outcome.crash, "");
+    EXPECT_EQ(outcome.error, "the system grants this process too little memory (ulimit -v)");
 }
 
-TEST(CrashInTrial, BoundsComputing)
+TEST(RunInTrial, BoundsComputing)
 {
     EXPECT_EQ(crash_of(
                   []
@@ -78,14 +110,14 @@ TEST(CrashInTrial, BoundsComputing)
               "too long computing");
 }
 
-TEST(CrashInTrial, BeginsAnewWhenTheForkWaitsForALockOfAnotherThread)
+TEST(RunInTrial, BeginsAnewWhenTheForkWaitsForALockOfAnotherThread)
 {
     std::mutex mutex;
     const fild::testing::HeldLock other(mutex, std::chrono::milliseconds(500));
     EXPECT_EQ(crash_of([&] { const std::lock_guard lock(mutex); }), "");
 }
 
-TEST(CrashInTrial, EndsATaskThatWaitsForALockWithoutEnd)
+TEST(RunInTrial, EndsATaskThatWaitsForALockWithoutEnd)
 {
     std::mutex mutex;
     const std::lock_guard lock(mutex);
@@ -93,12 +125,12 @@ TEST(CrashInTrial, EndsATaskThatWaitsForALockWithoutEnd)
               "waiting for a lock without end");
 }
 
-TEST(CrashInTrial, LetsATaskWaitForASlowFile)
+TEST(RunInTrial, LetsATaskWaitForASlowFile)
 {
     EXPECT_EQ(crash_of([] { std::this_thread::sleep_for(std::chrono::milliseconds(2500)); }), "");
 }
 
-TEST(CrashInTrial, KnowsTheOutcomeWhenTheProgramIgnoresItsChildren)
+TEST(RunInTrial, KnowsTheOutcomeWhenTheProgramIgnoresItsChildren)
 {
     auto* const before = std::signal(SIGCHLD, SIG_IGN);
     EXPECT_EQ(crash_of([] {}), "");
@@ -107,12 +139,12 @@ TEST(CrashInTrial, KnowsTheOutcomeWhenTheProgramIgnoresItsChildren)
     std::signal(SIGCHLD, before);
 }
 
-TEST(CrashInTrial, CountsAnEarlyExit)
+TEST(RunInTrial, CountsAnEarlyExit)
 {
     EXPECT_EQ(crash_of([] { std::_Exit(0); }), "an early exit");
 }
 
-TEST(CrashInTrial, ChangesNothingHere)
+TEST(RunInTrial, ChangesNothingHere)
 {
     int value = 1;
     EXPECT_EQ(crash_of([&] { value = 2; }), "");

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <sys/resource.h>
 
 namespace
 {
@@ -128,6 +129,23 @@ TEST_F(ReadLoopMatrix, RefusesNonsense)
     EXPECT_THAT(error(), HasSubstr("not a number"));
     fild::testing::write_text(path(), "no MATLAB file, but a text that is long enough for one");
     EXPECT_THAT(error(), HasSubstr(path()));
+}
+
+/** The system refuses it to the attempt, and matio goes on as at the end of the file. */
+TEST_F(ReadLoopMatrix, TakesNoMoreMemoryThanItsAttemptMay)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the sanitizers' own memory counts";
+#endif
+    MatFile(path()).full<double>("loops", MAT_C_DOUBLE, MAT_T_DOUBLE, 6, 6, kLoops);
+    auto bytes = fild::testing::read_text(path());
+    const auto length_of_name = bytes.find("loops") - 4;
+    bytes[length_of_name + 3] = 0x60;  // 1.6 GB
+    fild::testing::write_text(path(), bytes);
+    EXPECT_THAT(error(), HasSubstr("holds no matrix"));
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    EXPECT_LT(usage.ru_maxrss / 1024, 1000);
 }
 
 TEST_F(ReadLoopMatrix, RefusesAFileThatIsCutOff)

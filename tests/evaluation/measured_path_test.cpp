@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 constexpr double kPi = 3.14159265358979323846;
 
-fild::TimedPose at(double seconds, double x, double y, double yaw = 0)
+fild::TimedPose pose_at(double seconds, double x, double y, double yaw = 0)
 {
     fild::TimedPose timed;
     timed.timestamp = seconds;
@@ -39,7 +39,7 @@ double yaw_of(const fild::PosedFrame& frame)
 
 TEST(PosesAlong, AreInterpolatedInTime)
 {
-    const auto frames = along({at(0, 0, 0, 3), at(4, 8, 4, -3)}, true, {1, 4});
+    const auto frames = along({pose_at(0, 0, 0, 3), pose_at(4, 8, 4, -3)}, true, {1, 4});
     EXPECT_NEAR(cv::norm(frames[0].pose->position - cv::Vec3d(2, 1, 0)), 0, 1e-12);
     // From 3 to -3 rad the short way is over pi: a quarter of 2 pi - 6.
     EXPECT_NEAR(yaw_of(frames[0]), 3 + (2 * kPi - 6) / 4, 1e-9);
@@ -49,8 +49,8 @@ TEST(PosesAlong, AreInterpolatedInTime)
 
 TEST(PosesAlong, AreUnknownOutsideAndInGaps)
 {
-    const auto frames =
-        along({at(0, 0, 0), at(4, 8, 4), at(10, 9, 9)}, true, {-0.01, -1, 4.5, 10.01, 11});
+    const auto frames = along(
+        {pose_at(0, 0, 0), pose_at(4, 8, 4), pose_at(10, 9, 9)}, true, {-0.01, -1, 4.5, 10.01, 11});
     EXPECT_TRUE(frames[0].pose);
     EXPECT_FALSE(frames[1].pose);
     EXPECT_FALSE(frames[2].pose);
@@ -62,8 +62,13 @@ TEST(PosesAlong, AreUnknownOutsideAndInGaps)
 // North for four seconds, then west.
 TEST(PosesAlong, WithoutOrientationTakeTheDirectionOfMotion)
 {
-    const auto frames = along(
-        {at(0, 0, 0), at(2, 0, 4), at(4, 0, 8), at(6, -4, 8), at(8, -8, 8)}, false, {0, 2, 4, 7});
+    const auto frames = along({pose_at(0, 0, 0),
+                               pose_at(2, 0, 4),
+                               pose_at(4, 0, 8),
+                               pose_at(6, -4, 8),
+                               pose_at(8, -8, 8)},
+                              false,
+                              {0, 2, 4, 7});
     EXPECT_NEAR(yaw_of(frames[0]), kPi / 2, 1e-9);
     EXPECT_NEAR(yaw_of(frames[1]), kPi / 2, 1e-9);
     EXPECT_NEAR(yaw_of(frames[2]), kPi * 3 / 4, 1e-9);
@@ -73,7 +78,8 @@ TEST(PosesAlong, WithoutOrientationTakeTheDirectionOfMotion)
 
 TEST(PosesAlong, WithoutOrientationAreUnknownStandingStill)
 {
-    const auto frames = along({at(0, 0, 0), at(5, 0.4, 0), at(10, 9, 0)}, false, {2, 8});
+    const auto frames =
+        along({pose_at(0, 0, 0), pose_at(5, 0.4, 0), pose_at(10, 9, 0)}, false, {2, 8});
     EXPECT_FALSE(frames[0].pose);
     EXPECT_TRUE(frames[1].pose);
 }
@@ -85,7 +91,7 @@ TEST(PosesAlong, ByGpsAreTruthUnderARadius)
     for (int i = 0; i <= 60; ++i)
     {
         const int phase = i % 40;
-        poses.push_back(at(i, 2 * (phase <= 20 ? phase : 40 - phase), 0));
+        poses.push_back(pose_at(i, 2 * (phase <= 20 ? phase : 40 - phase), 0));
     }
     const auto frames = fild::testing::frames_at_one_hertz(61);
     const auto truth =
@@ -105,7 +111,7 @@ TEST(PosesAlong, OfAnotherTimeAreRefused)
     EXPECT_THAT(message_of<std::runtime_error>(
                     []
                     {
-                        fild::true_poses_along({{at(100, 0, 0), at(101, 1, 0)}, true},
+                        fild::true_poses_along({{pose_at(100, 0, 0), pose_at(101, 1, 0)}, true},
                                                "GPS 'G'",
                                                fild::testing::frames_at_one_hertz(3));
                     }),

@@ -153,6 +153,21 @@ TEST_F(RawlogLoopClosure, ShowsHelpAndVersion)
     EXPECT_THAT(version.out, HasSubstr("0.1.0"));
 }
 
+TEST_F(RawlogLoopClosure, SaysOnATerminalWhatItDoes)
+{
+    write_rawlog(two_laps());
+    const auto on_terminal = [this](const std::string& more)
+    {
+        return fild::testing::run_command("script -qec \"" + app() + arguments(more) +
+                                          "\" /dev/null")
+            .out;
+    };
+    EXPECT_THAT(on_terminal(""),
+                AllOf(StartsWith("reading the network ..."),
+                      HasSubstr("making the map and the pictures ...")));
+    EXPECT_THAT(on_terminal("--quiet"), Not(HasSubstr("...")));
+}
+
 TEST_F(RawlogLoopClosure, ExitsWithTwoOnWrongUsage)
 {
     for (const std::string line : {"", "--rawlog x", "--no-such-flag"})

@@ -13,8 +13,11 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3D.h>
 
+#include <fstream>
 #include <optional>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace
 {
@@ -386,6 +389,27 @@ TEST(RawlogReader, TakesLargerEntriesWhereThatIsAllowed)
     write_gz(path, {image_observation(draw_image(), 1, label)});
     EXPECT_THAT(read_damaged(path, 2).message, HasSubstr("more than 2 MB"));
     EXPECT_EQ(RawlogReader(path).next()->sensorLabel.size(), label.size());
+}
+
+/** The option is not to blame then: a larger value would not help. */
+TEST(RawlogReader, NamesTheSystemsLimitOfMemory)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the sanitizers take more address space than any limit grants";
+#endif
+    const TemporaryFolder folder;
+    const auto path = folder.path("large.rawlog");
+    write_gz(path, {image_observation(draw_image(), 1, std::string(48U << 20U, 'A'))});
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    rlimit before{};
+    getrlimit(RLIMIT_AS, &before);
+    auto limit = before;
+    limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + (24U << 20U);
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &limit), 0);
+    const auto message = read_damaged(path, 512).message;
+    setrlimit(RLIMIT_AS, &before);
+    EXPECT_THAT(message, HasSubstr("more memory than the system grants (ulimit -v)"));
 }
 
 TEST(RawlogReader, RefusesObjectsWithinObjectsWithoutEnd)

@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <cstring>
 #include <exception>
 #include <fcntl.h>
 #include <fstream>
@@ -21,6 +23,7 @@
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace fild
 {
@@ -70,51 +73,88 @@ std::size_t data_bytes()
     return statm_bytes(5);
 }
 
-/** Whether `ulimit -v` leaves this process less than `more_bytes`. */
-bool system_grants_less(std::size_t more_bytes)
+/** What comes before the text that a trial writes to its pipe. The exit status would not do: a program
+ *  that ignores SIGCHLD never learns it. */
+struct ReportHeader
 {
-    rlimit limit{};
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
-    return statm_bytes(0) + more_bytes > limit.rlim_cur;
-}
-
-/** What a trial writes to its pipe. The exit status would not do: a program that ignores SIGCHLD never
- *  learns it. */
-enum class TrialResult : char
-{
-    passed,
-    out_of_memory
+    enum class Kind : std::uint8_t
+    {
+        returned,
+        threw,
+        out_of_memory
+    };
+    Kind kind = Kind::returned;
+    std::size_t text_bytes = 0;
 };
 
-TrialResult result_of(const std::function<void()>& task)
+/** What a trial has to tell. Value type. */
+struct Report
 {
+    ReportHeader::Kind kind = ReportHeader::Kind::returned;
+    std::string text;  ///< that it returned, or of its exception
+};
+
+Report report_of(const std::function<std::string()>& task)
+{
+    using Kind = ReportHeader::Kind;
     try
     {
-        task();
+        return {Kind::returned, task()};
     }
     catch (const std::bad_alloc&)
     {
-        return TrialResult::out_of_memory;
+        return {Kind::out_of_memory, ""};
     }
     catch (const cv::Exception& error)
     {
-        return error.code == cv::Error::StsNoMem ? TrialResult::out_of_memory : TrialResult::passed;
+        if (error.code == cv::Error::StsNoMem) return {Kind::out_of_memory, ""};
+        return {Kind::threw, error.what()};
     }
-    catch (const std::exception&)
+    catch (const std::exception& error)
     {
-        return TrialResult::passed;
+        return {Kind::threw, error.what()};
     }
-    return TrialResult::passed;
 }
 
-[[noreturn]] void try_task(const std::function<void()>& task, const TrialLimits& limits, int pipe)
+bool write_all(int pipe, const void* data, std::size_t size)
+{
+    const auto* rest = static_cast<const char*>(data);
+    while (size > 0)
+    {
+        const auto count = ::write(pipe, rest, size);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        rest += count;
+        size -= static_cast<std::size_t>(count);
+    }
+    return true;
+}
+
+std::string read_all(int pipe)
+{
+    std::string all;
+    std::array<char, 65536> part{};
+    for (;;)
+    {
+        const auto count = ::read(pipe, part.data(), part.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return all;
+        all.append(part.data(), static_cast<std::size_t>(count));
+    }
+}
+
+[[noreturn]] void try_task(const std::function<std::string()>& task,
+                           const TrialLimits& limits,
+                           int pipe)
 {
     become_trial_process(pipe);
     limit_memory(limits.bytes);
     limit_computing(limits.seconds);
-    const TrialResult result = result_of(task);
-    const auto written = ::write(kKeptDescriptor, &result, sizeof(result));
-    _exit(written == sizeof(result) ? 0 : 1);  // not the program's destructors
+    const auto report = report_of(task);
+    const ReportHeader header{report.kind, report.text.size()};
+    const bool written = write_all(kKeptDescriptor, &header, sizeof(header)) &&
+                         write_all(kKeptDescriptor, report.text.data(), report.text.size());
+    _exit(written ? 0 : 1);  // not the program's destructors
 }
 
 /** What a process has done so far. Value type. */
@@ -166,7 +206,7 @@ struct Trial
     int pipe = -1;
 };
 
-Trial start(const std::function<void()>& task, const TrialLimits& limits)
+Trial start(const std::function<std::string()>& task, const TrialLimits& limits)
 {
     const auto cannot_start = [](int error_number)
     {
@@ -184,28 +224,45 @@ Trial start(const std::function<void()>& task, const TrialLimits& limits)
     throw cannot_start(error_number);
 }
 
-std::optional<TrialResult> read_result(int pipe)
+/** None: the trial ended before it had told all. */
+std::optional<Report> read_report(int pipe)
 {
-    TrialResult result{};
-    ssize_t count = -1;
-    do count = ::read(pipe, &result, sizeof(result));
-    while (count < 0 && errno == EINTR);
-    if (count != sizeof(result)) return std::nullopt;
-    return result;
+    auto text = read_all(pipe);
+    ReportHeader header;
+    if (text.size() < sizeof(header)) return std::nullopt;
+    std::memcpy(&header, text.data(), sizeof(header));
+    text.erase(0, sizeof(header));
+    if (text.size() != header.text_bytes) return std::nullopt;
+    return Report{header.kind, std::move(text)};
 }
 
-/** Why the task must not be done here; empty: it may be. None: the trial waited for a lock. */
-std::optional<std::string> end_of(const Trial& trial, const TrialLimits& limits)
+TrialOutcome to_outcome(Report report, const TrialLimits& limits)
+{
+    switch (report.kind)
+    {
+        case ReportHeader::Kind::returned:
+            return {"", std::nullopt, std::move(report.text)};
+        case ReportHeader::Kind::threw:
+            return {"", std::move(report.text), ""};
+        case ReportHeader::Kind::out_of_memory:
+            break;
+    }
+    if (system_grants_less(limits.bytes))
+        return {"", "the system grants this process too little memory (ulimit -v)", ""};
+    return {"more than " + std::to_string(limits.bytes >> 20U) + " MB of memory", std::nullopt, ""};
+}
+
+/** None: the trial waited for a lock. */
+std::optional<TrialOutcome> end_of(const Trial& trial, const TrialLimits& limits)
 {
     const bool has_ended = wait_for_pipe(trial.pipe, trial.process, limits.idle_seconds);
-    const auto result = has_ended ? read_result(trial.pipe) : std::nullopt;
+    auto report = has_ended ? read_report(trial.pipe) : std::nullopt;
     ::close(trial.pipe);
     if (!has_ended) ::kill(trial.process, SIGKILL);
     auto reason = reason_of_end(trial.process);
     if (!has_ended) return std::nullopt;
-    if (!result) return reason.empty() ? "an early exit" : reason;
-    if (*result == TrialResult::passed || system_grants_less(limits.bytes)) return "";
-    return "more than " + std::to_string(limits.bytes >> 20U) + " MB of memory";
+    if (report) return to_outcome(std::move(*report), limits);
+    return TrialOutcome{reason.empty() ? "an early exit" : reason, std::nullopt, ""};
 }
 }  // namespace
 
@@ -228,6 +285,13 @@ void limit_memory(std::size_t more_bytes)
     if (getrlimit(RLIMIT_DATA, &limit) != 0) return;
     if (const auto used = data_bytes(); used > 0)
         set_limit(RLIMIT_DATA, std::min<rlim_t>(limit.rlim_cur, used + more_bytes));
+}
+
+bool system_grants_less(std::size_t more_bytes)
+{
+    rlimit limit{};
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
+    return statm_bytes(0) + more_bytes > limit.rlim_cur;
 }
 
 void limit_computing(int seconds)
@@ -269,11 +333,11 @@ bool wait_for_pipe(int pipe, pid_t process, int idle_seconds)
     }
 }
 
-std::string crash_in_trial(const std::function<void()>& task, const TrialLimits& limits)
+TrialOutcome run_in_trial(const std::function<std::string()>& task, const TrialLimits& limits)
 {
     for (int attempt = 0; attempt < kAttempts; ++attempt)
-        if (auto reason = end_of(start(task, limits), limits)) return *reason;
-    return "waiting for a lock without end";
+        if (auto outcome = end_of(start(task, limits), limits)) return *outcome;
+    return {"waiting for a lock without end", std::nullopt, ""};
 }
 
 }  // namespace fild

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <matio.h>
@@ -179,7 +180,14 @@ bool see_sparse(const matvar_t& matrix, Pairs& pairs)
         [&pairs](const auto& pair) { pairs.push_back(pair); });
 }
 
-LoopLabels read_matrix(const std::string& path)
+/** The entries that are not 0, of a square matrix. Value type. */
+struct LoopMatrix
+{
+    std::size_t size = 0;
+    Pairs entries;
+};
+
+LoopMatrix read_matrix(const std::string& path)
 {
     const auto name = find_matrix(path);
     const auto file = open_mat_file(path);
@@ -190,23 +198,47 @@ LoopLabels read_matrix(const std::string& path)
     if (matrix->dims[0] != matrix->dims[1])
         throw std::runtime_error("the matrix " + describe(*matrix) + " of " + path +
                                  " is not square; a loop matrix has a row and a column a frame");
-    Pairs pairs;
+    LoopMatrix read{matrix->dims[0], {}};
     const bool sparse = matrix->class_type == MAT_C_SPARSE;
-    if (!(sparse ? see_sparse(*matrix, pairs) : see_full(*matrix, pairs)))
+    if (!(sparse ? see_sparse(*matrix, read.entries) : see_full(*matrix, read.entries)))
         throw std::runtime_error("the matrix " + name + " of " + path +
                                  " is damaged or has a cell that is not a number");
-    return to_loop_labels(std::move(pairs), matrix->dims[0]);
+    return read;
+}
+
+std::string to_bytes(const LoopMatrix& matrix)
+{
+    std::vector<std::size_t> numbers{matrix.size};
+    numbers.reserve(1 + 2 * matrix.entries.size());
+    for (const auto& [row, column] : matrix.entries)
+    {
+        numbers.push_back(row);
+        numbers.push_back(column);
+    }
+    return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(numbers[0])};
+}
+
+LoopLabels labels_from_bytes(const std::string& bytes)
+{
+    std::vector<std::size_t> numbers(bytes.size() / sizeof(std::size_t));
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(numbers[0]));
+    Pairs pairs;
+    for (std::size_t i = 1; i + 1 < numbers.size(); i += 2)
+        pairs.emplace_back(numbers[i], numbers[i + 1]);
+    return to_loop_labels(std::move(pairs), numbers.at(0));
 }
 }  // namespace
 
 LoopLabels read_loop_matrix(const std::string& path)
 {
     constexpr TrialLimits kLimits{std::size_t{900} << 20U, 20};
-    const auto crash = crash_in_trial([&] { read_matrix(path); }, kLimits);
-    if (!crash.empty())
-        throw std::runtime_error("cannot read " + path + ": matio's attempt ended in " + crash +
+    const auto outcome = run_in_trial([&] { return to_bytes(read_matrix(path)); }, kLimits);
+    if (!outcome.crash.empty())
+        throw std::runtime_error("cannot read " + path + ": matio's attempt ended in " +
+                                 outcome.crash +
                                  "; fetch it again, or store the matrix as sparse or uint8");
-    return read_matrix(path);
+    if (outcome.error) throw std::runtime_error(*outcome.error);
+    return labels_from_bytes(outcome.result);
 }
 
 }  // namespace fild

@@ -172,18 +172,20 @@ cv::Mat black_input(const TGlobalDescriptorOptions& options)
 void refuse_crashing_network(const TGlobalDescriptorOptions& options)
 {
     constexpr TrialLimits kLimits{std::size_t{1} << 30U, 60};
-    const auto crash = crash_in_trial(
+    const auto outcome = run_in_trial(
         [&]
         {
             cv::setNumThreads(1);  // the threads of this process are not in its fork
             auto net = read_network(options);
             outputs_of(net, find_layers(net, options), black_input(options), options);
+            return std::string();
         },
         kLimits);
-    if (!crash.empty())
+    if (!outcome.crash.empty())
         throw std::runtime_error("cannot read " + files_of(options) +
-                                 " as a network: OpenCV's attempt ended in " + crash +
+                                 " as a network: OpenCV's attempt ended in " + outcome.crash +
                                  "; get the file again");
+    if (outcome.error) throw std::runtime_error(*outcome.error);
 }
 }  // namespace
 

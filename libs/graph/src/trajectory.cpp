@@ -26,14 +26,14 @@ Matrix6 growth_between(const Matrix6& a, const Matrix6& b)
  *  else the sum. */
 Matrix6 between_absolute(const Matrix6& a, const Matrix6& b)
 {
-    constexpr double kRounding = 1e-6;  // share of the sum
+    constexpr double kShareOfSum = 1e-6;  // rounding
     const Eigen::SelfAdjointEigenSolver<Matrix6> growth(growth_between(a, b));
     Vector6 variances = growth.eigenvalues();
     const Matrix6& axes = growth.eigenvectors();
     for (int i = 0; i < 6; ++i)
     {
         const double both = axes.col(i).dot((a + b) * axes.col(i));
-        if (variances(i) <= kRounding * both) variances(i) = both;
+        if (variances(i) <= kShareOfSum * both) variances(i) = both;
     }
     return axes * variances.asDiagonal() * axes.transpose();
 }

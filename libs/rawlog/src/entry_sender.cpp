@@ -295,6 +295,7 @@ void send_entries(const std::string& rawlog, std::size_t max_entry_bytes, int pi
     const MessagePipe messages(pipe);
     EntryArchive archive(rawlog, max_entry_bytes, messages);
     const auto position = [&] { return archive.source().stored_bytes_read(); };
+    const bool system_limits = system_grants_less(kForReading + max_entry_bytes);
     limit_memory(kForReading + max_entry_bytes);
     try
     {
@@ -302,7 +303,8 @@ void send_entries(const std::string& rawlog, std::size_t max_entry_bytes, int pi
     }
     catch (const std::bad_alloc&)
     {
-        send_failure(messages, position(), too_large(max_entry_bytes));
+        send_failure(
+            messages, position(), system_limits ? kTooLittleMemory : too_large(max_entry_bytes));
     }
     catch (const UnknownRawlog& error)
     {

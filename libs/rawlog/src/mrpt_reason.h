@@ -16,4 +16,8 @@ std::string mrpt_reason(const std::exception& error);
  *  "mrpt::obs::CObservationOdometry of version 7". None when the exception has another reason. */
 std::optional<std::string> unknown_object(const std::exception& error);
 
+/** Why an entry cannot be read where memory is short. */
+constexpr const char* kTooLittleMemory =
+    "an entry takes more memory than the system grants (ulimit -v)";
+
 }  // namespace fild

@@ -19,6 +19,7 @@
 #include <deque>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -125,12 +126,27 @@ struct RawlogReader::State
     }
 
     bool read_entry();
+    CSerializable::Ptr read_object(EntryBytes& bytes);
     void unpack(const CSerializable::Ptr& object);
     [[noreturn]] void fail_as_damaged(const std::string& reason);
     [[noreturn]] void fail_at_unknown(const std::string& object);
     [[noreturn]] void fail(const std::string& state,
                            const std::string& reason,
                            const std::string& way_out);
+
+    /** Does a step that takes memory for an entry. */
+    template <class Step>
+    auto with_memory(Step&& step)
+    {
+        try
+        {
+            return step();
+        }
+        catch (const std::bad_alloc&)
+        {
+            fail_as_damaged(kTooLittleMemory);
+        }
+    }
 
     std::string path;
     std::uint64_t size;
@@ -146,23 +162,30 @@ bool RawlogReader::State::read_entry()
 {
     if (failure) throw TruncatedRawlog(*failure);
     if (has_ended) return false;
-    auto next = process.next();
+    auto next = with_memory([this] { return process.next(); });
     if (next.kind == EntryMessageKind::failure) fail_as_damaged(next.reason);
     if (next.kind == EntryMessageKind::unknown_object) fail_at_unknown(next.reason);
     has_ended = next.kind == EntryMessageKind::end;
     if (has_ended) return false;
-    CSerializable::Ptr object;
+    unpack(with_memory([&] { return read_object(next.bytes); }));
+    ++entries;
+    return true;
+}
+
+CSerializable::Ptr RawlogReader::State::read_object(EntryBytes& bytes)
+{
     try
     {
-        object = next.bytes.ReadObject();
+        return bytes.ReadObject();
     }
-    catch (const std::exception& error)  // less memory than there was in the process
+    catch (const std::bad_alloc&)
+    {
+        throw;
+    }
+    catch (const std::exception& error)
     {
         fail_as_damaged(mrpt_reason(error));
     }
-    unpack(object);
-    ++entries;
-    return true;
 }
 
 void RawlogReader::State::unpack(const CSerializable::Ptr& object)

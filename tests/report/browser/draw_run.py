@@ -152,11 +152,17 @@ def photograph(random, width, height):
     return np.clip(128 + picture, 0, 255).astype(np.uint8)
 
 
-def write_pictures(drive, folder, accepted=100, rejected=20):
-    """Every second pair has a picture in 3D too."""
+def map_picture(drive):
+    """The circle on an empty ground, 8 pixels a metre."""
+    picture = np.full((1000, 1600, 3), 90, np.uint8)
+    track = [[round(800 + 8 * x), round(500 - 8 * y)] for x, y, _ in (drive.place(i, 0) for i in range(drive.frames))]
+    return cv2.polylines(picture, [np.array(track)], False, (60, 160, 240), 3)
+
+
+def write_pictures(drive, folder, accepted, rejected):
+    """Of the first pairs; every second one has a picture in 3D too."""
     os.makedirs(os.path.join(folder, "matches"))
-    chosen = [frames[::max(1, len(frames) // count)][:count] for frames, count in
-              ((drive.accepted(), accepted), (drive.rejected(), rejected)) if frames]
+    chosen = [drive.accepted()[:accepted], drive.rejected()[:rejected]]
     for i, frame in enumerate(frame for frames in chosen for frame in frames):
         name = os.path.join(folder, "matches", f"{frame}_{drive.candidate(frame)}")
         cv2.imwrite(name + ".jpg", photograph(drive.random, 1280, 430))
@@ -164,15 +170,15 @@ def write_pictures(drive, folder, accepted=100, rejected=20):
             cv2.imwrite(name + "_3d.jpg", photograph(drive.random, 1000, 625))
     if drive.trajectory:
         for name in ("map_top.png", "map_perspective.png"):
-            cv2.imwrite(os.path.join(folder, name), photograph(drive.random, 1600, 1000))
+            cv2.imwrite(os.path.join(folder, name), map_picture(drive))
 
 
-def write_run(drive, folder, options=None):
-    """Everything; `options` are sections beside the usual ones."""
+def write_run(drive, folder, options=None, accepted_pictures=12, rejected_pictures=4):
+    """Everything; `options` are sections beside the usual ones. Each picture slows the browser down."""
     os.makedirs(folder)
     write_tables(drive, folder)
     write_similarities(drive, folder)
-    write_pictures(drive, folder)
+    write_pictures(drive, folder, accepted_pictures, rejected_pictures)
     if drive.trajectory:
         write_trajectory(drive, folder, "trajectory_input.tum", 4)
         write_trajectory(drive, folder, "trajectory_optimized.tum", 0.1)

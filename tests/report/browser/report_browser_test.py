@@ -26,15 +26,20 @@ def make_report(folder, *arguments):
     return os.path.join(folder, "report.html")
 
 
+def setUpModule():
+    PageTest.browser = Browser()
+    unittest.addModuleCleanup(PageTest.browser.close)
+
+
 class PageTest(unittest.TestCase):
-    """One browser and one folder for all tests of a class."""
+    """One browser for all tests, one folder for those of a class."""
+
+    browser = None
 
     @classmethod
     def setUpClass(cls):
         cls.scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.scratch.cleanup)
-        cls.browser = Browser()
-        cls.addClassCleanup(cls.browser.close)
 
     def path(self, name):
         return os.path.join(self.scratch.name, name)
@@ -62,10 +67,11 @@ class PageTest(unittest.TestCase):
             self.assertNotIn(word, self.browser.text())
 
     def look_at(self, page, name):
-        """In both widths, light and dark, and with FILD_FULL_TESTS in each of the four; keeps pictures."""
-        looks = [(DESKTOP, "light"), (PHONE, "dark")]
+        """In both widths, light and dark, and with FILD_FULL_TESTS in each of the four; keeps pictures.
+        Leaves the page open as Browser.open() does."""
+        looks = [(PHONE, "dark"), (DESKTOP, "light")]
         if "FILD_FULL_TESTS" in os.environ:
-            looks += [(DESKTOP, "dark"), (PHONE, "light")]
+            looks = [(PHONE, "light"), (DESKTOP, "dark"), *looks]
         for width, scheme in looks:
             with self.subTest(name, width=width, scheme=scheme):
                 self.browser.open(page, width, scheme)
@@ -86,7 +92,6 @@ class Report(PageTest):
 
     def test_fits_every_screen(self):
         self.look_at(self.page, "report")
-        self.browser.open(self.page)
         self.assertEqual(self.browser.count(".chart .empty"), 0)
 
     def test_follows_the_light(self):
@@ -343,9 +348,7 @@ class JudgedReport(PageTest):
         folder = os.path.join(cls.scratch.name, "judged")
         write_run(Drive(200, wrong=5, probability=True), folder)
         cls.page = make_report(folder, "--ground-truth", os.path.join(folder, "truth.tum"), "--protocol", "radius:5")
-
-    def setUp(self):
-        self.browser.open(self.page)
+        cls.browser.open(cls.page)  # once: the tests read, and set the filter that they need
 
     def series(self, chart):
         """Names of a chart's series and how many points each has."""
@@ -407,12 +410,11 @@ class JudgedReport(PageTest):
 
 
 class ReportOfAnUnusualRun(PageTest):
-    def report_of(self, name, drive):
+    def report_of(self, name, drive, **pictures):
         folder = self.path(name)
-        write_run(drive, folder)
+        write_run(drive, folder, **pictures)
         page = make_report(folder)
         self.look_at(page, name)
-        self.browser.open(page)
         return page
 
     def reason(self, panel):
@@ -439,7 +441,7 @@ class ReportOfAnUnusualRun(PageTest):
         self.assertIn("single frame", self.reason("matrix-chart"))
 
     def test_of_five_thousand_frames(self):
-        page = self.report_of("large", Drive(5000))
+        page = self.report_of("large", Drive(5000), accepted_pictures=100, rejected_pictures=20)
         self.assertLess(os.path.getsize(page), 25e6)
 
 
@@ -455,7 +457,6 @@ class Comparison(PageTest):
         write_run(Drive(200, loops=False, seed=2), second, {"index": {"backend": "exact"}})
         page = self.compare(first, second)
         self.look_at(page, "comparison")
-        self.browser.open(page)
         self.assertIn("80 0", self.browser.element("#metrics").text)
         self.assertIn("[index] backend hnsw exact", self.browser.element("#differing-options").text)
         self.assertIn("Only in first: 80", self.browser.element("#only-first-title").text)

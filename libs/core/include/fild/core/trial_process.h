@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <sys/types.h>
 
@@ -28,6 +29,9 @@ int become_trial_process(int kept_descriptor);
  *  Does nothing with the sanitizers. */
 void limit_memory(std::size_t more_bytes);
 
+/** Whether `ulimit -v` leaves this process less than `more_bytes`. */
+bool system_grants_less(std::size_t more_bytes);
+
 /** The system ends this process when it computes for longer from now on. A later call begins anew. */
 void limit_computing(int seconds);
 
@@ -40,13 +44,23 @@ std::string reason_of_end(pid_t process);
  *  file that is slow to come, over a network for instance, does not count. */
 bool wait_for_pipe(int pipe, pid_t process, int idle_seconds);
 
-/** Runs a task in a fork of this process first, for libraries that crash or take all memory on a bad
- *  file because they trust what they read. As after any fork, locks that other threads hold at that
- *  moment stay locked in it; a trial that waits for one is ended and begun anew, twice.
- *  \param task  its exceptions count as success, except when it needs more memory than
- *  `limits.bytes`: here it will throw the same, to a caller who can say more of it.
- *  \return why the task must not be done here; empty: it may be.
+/** How a trial ended. Value type. */
+struct TrialOutcome
+{
+    std::string crash;  ///< why the task must not be done here; empty: it ended by itself
+    std::optional<std::string> error;  ///< text of the exception that it threw
+    std::string result;  ///< what it returned
+};
+
+/** Runs a task in a fork of this process, for libraries that crash or take all memory on a bad file
+ *  because they trust what they read. As after any fork, locks that other threads hold at that moment
+ *  stay locked in it; a trial that waits for one is ended and begun anew, twice.
+ *
+ *  A task that threw must not be done here: a library that is refused memory may report whatever it
+ *  likes, and would be granted that memory here.
+ *  \param task  a std::bad_alloc, or OpenCV's, counts as a crash; where `ulimit -v` grants less memory
+ *  than `limits.bytes`, it is an error.
  *  \throw std::runtime_error when no process can be started. */
-std::string crash_in_trial(const std::function<void()>& task, const TrialLimits& limits);
+TrialOutcome run_in_trial(const std::function<std::string()>& task, const TrialLimits& limits);
 
 }  // namespace fild
