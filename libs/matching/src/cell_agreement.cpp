@@ -21,21 +21,14 @@ constexpr int kAgreeingNeighbours = 2;
 std::vector<std::pair<std::size_t, std::size_t>> mutual_nearest(const BinaryCodes& a,
                                                                 const BinaryCodes& b)
 {
-    std::vector<NearestTwo> of_a(a.size());
-    std::vector<NearestTwo> of_b(b.size());
-    std::vector<int> distances(b.size());
+    const NearestCodes codes_a(a);
+    const NearestCodes codes_b(b);
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < a.size(); ++i)
     {
-        hamming_distances(a.code(i), b, distances);
-        for (std::size_t j = 0; j < distances.size(); ++j)
-        {
-            of_a[i].compare(j, distances[j]);
-            of_b[j].compare(i, distances[j]);
-        }
+        const auto j = codes_b.nearest_of(a.code(i)).index;
+        if (codes_a.nearest_of(b.code(j)).index == i) pairs.emplace_back(i, j);
     }
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (std::size_t i = 0; i < of_a.size(); ++i)
-        if (const auto j = of_a[i].index; of_b[j].index == i) pairs.emplace_back(i, j);
     return pairs;
 }
 

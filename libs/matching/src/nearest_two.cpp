@@ -33,11 +33,12 @@ template <std::size_t kWords>
     }
 }
 
+/** Distances to as many codes, which stand one after the other, as there is room for. */
 FILD_CLONED_FOR("popcnt")
-void fast_hamming_distances(const std::uint64_t* code,
-                            const std::uint64_t* others,
-                            std::size_t words,
-                            std::vector<int>& distances)
+void hamming_distances(const std::uint64_t* code,
+                       const std::uint64_t* others,
+                       std::size_t words,
+                       std::vector<int>& distances)
 {
     if (words == 4)  // 256 bits, what nearly everybody uses
         distances_of<4>(code, others, words, distances);
@@ -101,14 +102,6 @@ std::vector<std::uint64_t> to_blocks(const BinaryCodes& codes, std::size_t words
 }
 }  // namespace
 
-void hamming_distances(const std::uint64_t* code,
-                       const BinaryCodes& others,
-                       std::vector<int>& distances)
-{
-    fast_hamming_distances(
-        code, others.words.data(), static_cast<std::size_t>(others.words_per_code), distances);
-}
-
 bool NearestCodes::can_compare_eight()
 {
 #ifdef __x86_64__
@@ -132,7 +125,7 @@ NearestTwo NearestCodes::nearest_of(const std::uint64_t* code) const
     if (!blocks_.empty()) return nearest_in_blocks(code, words_, blocks_.data(), codes_.size());
 #endif
     std::vector<int> distances(codes_.size());
-    hamming_distances(code, codes_, distances);
+    hamming_distances(code, codes_.words.data(), words_, distances);
     NearestTwo nearest;
     for (std::size_t i = 0; i < distances.size(); ++i) nearest.compare(i, distances[i]);
     return nearest;

@@ -33,11 +33,6 @@ struct NearestTwo
     }
 };
 
-/** Distances to the first codes of `others`, as many as there is room for, bits. */
-void hamming_distances(const std::uint64_t* code,
-                       const BinaryCodes& others,
-                       std::vector<int>& distances);
-
 /** Finds the nearest of many codes. Compares eight at a time where the processor can count bits so
  *  (AVX-512 VPOPCNTDQ), with the same result. Const members may run concurrently. */
 class NearestCodes
