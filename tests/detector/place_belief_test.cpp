@@ -93,6 +93,17 @@ TEST(PlaceBelief, DoesNotBelieveARowOfLookAlikesForOneFrameThatConvinces)
     EXPECT_FALSE(belief.likeliest());
 }
 
+/** Bushes that match worse than walls do, in the middle of a sure return: the camera has not left for a
+ *  look-alike beside it. */
+TEST(PlaceBelief, KeepsToAReturnWhereTheViewMatchesWorseForAWhile)
+{
+    auto belief = belief_of(200);
+    for (std::uint64_t i = 0; i < 40; ++i) belief.update(seen_at(10 + i, {8, 4}));
+    double probability = 1;
+    for (std::uint64_t i = 0; i < 30; ++i) probability = belief.update(seen_at(50 + i, {4, -0.3}));
+    EXPECT_GT(probability, 0.95);
+}
+
 TEST(PlaceBelief, LeavesAPlaceThatIsNotSeenAnyMore)
 {
     auto belief = belief_of(100);

@@ -9,6 +9,7 @@
 namespace
 {
 using fild::ComparedPlace;
+using fild::Entrance;
 using fild::FrameId;
 using fild::PlaceBelief;
 using fild::PlaceEvidence;
@@ -41,7 +42,7 @@ class Motion
     }
 
     /** Probability of each state after the move from one of them. */
-    std::vector<double> after(std::size_t state, const std::vector<std::size_t>& entrances) const
+    std::vector<double> after(std::size_t state, const std::vector<Entrance>& entrances) const
     {
         std::vector<double> to(1 + 2 * n_, 0);
         const double jump = entrances.empty() ? 0 : options_.jump_probability;
@@ -50,7 +51,12 @@ class Motion
         {
             const double returns = entrances.empty() ? 0 : options_.return_probability;
             to[0] = 1 - returns;
-            for (const auto place : entrances) enter(to, place, returns / count(entrances));
+            for (const auto& [place, was_near] : entrances)
+            {
+                const double to_this = returns / count(entrances);
+                to[1 + place] += was_near * to_this;
+                enter(to, place, (1 - was_near) * to_this);
+            }
             return to;
         }
         const bool is_look_alike = state > n_;
@@ -61,7 +67,7 @@ class Motion
             const double share = 1.0 / (2 * options_.place_step + 1);
             to[first + place] += share * stay;
             to[0] += share * options_.leave_probability;
-            for (const auto end : entrances)
+            for (const auto& [end, was_near] : entrances)
             {
                 const double jumps = share * jump / count(entrances);
                 if (is_look_alike || distance(place, end) <= options_.near_places)
@@ -74,7 +80,7 @@ class Motion
     }
 
  private:
-    static double count(const std::vector<std::size_t>& entrances)
+    static double count(const std::vector<Entrance>& entrances)
     {
         return static_cast<double>(entrances.size());
     }

@@ -37,7 +37,7 @@ double PlaceBelief::update(const std::vector<ComparedPlace>& compared)
     return sum_of(at_.same);
 }
 
-void PlaceBelief::move(const std::vector<std::size_t>& entrances)
+void PlaceBelief::move(std::vector<Entrance>& entrances)
 {
     auto same = spread(at_.same, options_.place_step);
     auto look_alike = spread(at_.look_alike, options_.place_step);
@@ -49,13 +49,16 @@ void PlaceBelief::move(const std::vector<std::size_t>& entrances)
     const double stay = 1 - options_.leave_probability - jump;
     for (auto& each : same) each *= stay;
     for (auto& each : look_alike) each *= stay;
-    for (const auto i : entrances)
+    for (auto& [i, was_near] : entrances)
     {
         const auto share = 1 / static_cast<double>(entrances.size());
-        // A jump from far away may end at a look-alike, just as a return from new ground may.
-        const double from_near = sum_around(sums_of_same, i, options_.near_places);
-        const double from_far = entering + jump * std::max(0.0, all_same - from_near);
-        same[i] += share * ((1 - options_.look_alike_share) * from_far + jump * from_near);
+        was_near = sum_around(sums_of_same, i, options_.near_places);
+        // A jump from far away may end at a look-alike, just as a return from new ground may: but who
+        // was near has only been lost from sight.
+        const double from_near = (jump + entering) * was_near;
+        const double from_far =
+            entering * (1 - was_near) + jump * std::max(0.0, all_same - was_near);
+        same[i] += share * ((1 - options_.look_alike_share) * from_far + from_near);
         look_alike[i] += share * (options_.look_alike_share * from_far + jump * all_look_alike);
     }
     at_.new_ground += options_.leave_probability * (all_same + all_look_alike) - entering;
@@ -71,7 +74,7 @@ PlaceEvidence PlaceBelief::evidence_of(const std::vector<ComparedPlace>& compare
     for (const auto& [frame, odds] : compared)
     {
         const auto compared_place = place_of(frame);
-        evidence.entrances.push_back(compared_place);
+        evidence.entrances.push_back({compared_place});
         if (!odds) continue;
         const double against_look_alike = options_.look_alike_weight * odds->against_look_alike;
         const auto place = static_cast<long>(compared_place);

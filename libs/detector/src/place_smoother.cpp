@@ -39,23 +39,24 @@ PlaceStates PlaceSmoother::oldest() const
 
 /** What is to come, as seen from each state before the move: the transpose of PlaceBelief::move(). */
 PlaceStates PlaceSmoother::move_back(const PlaceStates& later,
-                                     const std::vector<std::size_t>& entrances) const
+                                     const std::vector<Entrance>& entrances) const
 {
     const double jump = entrances.empty() ? 0 : options_.jump_probability;
     const double entering = entrances.empty() ? 0 : options_.return_probability;
     const double stay = 1 - options_.leave_probability - jump;
     const double look_alike_share = options_.look_alike_share;
 
-    double from_far = 0;  // what comes of a return, or of a jump from far away
+    double from_far = 0;  // what comes of a jump from far away
+    double from_new_ground = 0;  // of a return
     double from_look_alike = 0;  // of a jump to another look-alike
     std::vector<double> gains(later.same.size(), 0);  // of a jump from near over one from far away
-    for (const auto i : entrances)
+    for (const auto& [i, was_near] : entrances)
     {
         const auto share = 1 / static_cast<double>(entrances.size());
-        from_far += share * ((1 - look_alike_share) * later.same[i] +
-                             look_alike_share * later.look_alike[i]);
-        from_look_alike += share * later.look_alike[i];
         gains[i] = share * look_alike_share * (later.same[i] - later.look_alike[i]);
+        from_far += share * later.same[i] - gains[i];
+        from_new_ground += share * later.same[i] - gains[i] * (1 - was_near);
+        from_look_alike += share * later.look_alike[i];
     }
 
     PlaceStates before = later;
@@ -69,7 +70,7 @@ PlaceStates PlaceSmoother::move_back(const PlaceStates& later,
     }
     before.same = spread(before.same, options_.place_step);
     before.look_alike = spread(before.look_alike, options_.place_step);
-    before.new_ground = (1 - entering) * later.new_ground + entering * from_far;
+    before.new_ground = (1 - entering) * later.new_ground + entering * from_new_ground;
     return before;
 }
 

@@ -62,7 +62,7 @@ class PlaceBelief
 
  private:
     PlaceEvidence evidence_of(const std::vector<ComparedPlace>& compared) const;
-    void move(const std::vector<std::size_t>& entrances);
+    void move(std::vector<Entrance>& entrances);
 
     TConsistencyOptions options_;
     std::vector<FrameId> frames_;

@@ -42,8 +42,7 @@ class PlaceSmoother
         PlaceEvidence evidence;
     };
 
-    PlaceStates move_back(const PlaceStates& later,
-                          const std::vector<std::size_t>& entrances) const;
+    PlaceStates move_back(const PlaceStates& later, const std::vector<Entrance>& entrances) const;
 
     TConsistencyOptions options_;
     std::deque<SeenFrame> window_;

@@ -21,11 +21,17 @@ struct PlaceStates
     PlaceStates& operator*=(const PlaceStates& other);
 };
 
+/** A place that a frame was compared with: a jump or a return ends at one of them. */
+struct Entrance
+{
+    std::size_t place = 0;
+    double was_near = 0;  ///< probability that the camera was near it, before the frame
+};
+
 /** What one frame tells the model. */
 struct PlaceEvidence
 {
-    /** The places that the frame was compared with: a jump or a return ends at one of them. */
-    std::vector<std::size_t> entrances;
+    std::vector<Entrance> entrances;
     PlaceStates likelihood;  ///< of the comparisons, in each state; 1 on new ground
 };
 
