@@ -73,9 +73,9 @@ PlaceEvidence PlaceBelief::evidence_of(const std::vector<ComparedPlace>& compare
     auto& [new_ground, same, look_alike] = evidence.likelihood;
     for (const auto& [frame, odds] : compared)
     {
+        if (!odds) continue;
         const auto compared_place = place_of(frame);
         evidence.entrances.push_back({compared_place});
-        if (!odds) continue;
         const double against_look_alike = options_.look_alike_weight * odds->against_look_alike;
         const auto place = static_cast<long>(compared_place);
         const long last = std::min(place + kEvidenceReach, static_cast<long>(frames_.size()) - 1);

@@ -21,7 +21,7 @@ struct PlaceStates
     PlaceStates& operator*=(const PlaceStates& other);
 };
 
-/** A place that a frame was compared with: a jump or a return ends at one of them. */
+/** A place that a frame may show, after the comparison: a jump or a return ends at one of them. */
 struct Entrance
 {
     std::size_t place = 0;
