@@ -112,7 +112,7 @@ void read_network(const std::string& path)
     options.input_width = 4;
     options.input_height = 4;
     GlobalDescriptorExtractor network(options);
-    if (network.extract(testing::draw_image()).empty()) throw Finding("an empty descriptor");
+    if (network.extract(testing::draw_image()).global.empty()) throw Finding("an empty descriptor");
 }
 
 /** As an external image of a rawlog, twice. */
