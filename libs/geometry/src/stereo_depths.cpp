@@ -57,11 +57,11 @@ KeypointDepths depths_from_stereo(const Frame& frame,
     options.check();
     require_pair(frame, left, right);
     if (!is_usable_baseline(frame.right->left_from_right)) return {};
-    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
     KeypointDepths depths;
     depths.source = DepthSource::stereo;
-    depths.metres.assign(left.positions.size(), kUnknown);
-    depths.deviations_m.assign(left.positions.size(), kUnknown);
+    depths.metres.assign(left.positions.size(), kNoDepth);
+    depths.deviations_m.assign(left.positions.size(), kNoDepth);
 
     const auto pair = rectified_pair(frame);
     const auto left_image = smooth(pair.left);
