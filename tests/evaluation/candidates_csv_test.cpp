@@ -27,7 +27,7 @@ TEST(ReadCandidatesCsv, ReadsAnswersOfFrames)
 {
     const auto answers = read(
         "3,1,0,0.9,1,80,10,too_few_inliers,0\n3,2,1,0.8,0,0,0,,0\n3,,2,0.7,1,70,60,,0\n"
-        "5,1,2,-0.5,0,,,,0\n",
+        "5,1,2,-0.5,0,,,,0\n5,13,4,-0.6,1,,,too_few_matches,0\n",
         6);
     ASSERT_EQ(answers.size(), 6U);
     EXPECT_TRUE(answers[0].empty());
@@ -42,15 +42,18 @@ TEST(ReadCandidatesCsv, ReadsAnswersOfFrames)
     EXPECT_FALSE(answers[3][1].checked);
     EXPECT_EQ(answers[3][2].rank, 0U);
     EXPECT_EQ(answers[3][2].rejection, fild::Rejection::none);
-    EXPECT_EQ(answers[5].size(), 1U);
+    ASSERT_EQ(answers[5].size(), 2U);
+    EXPECT_EQ(answers[5][1].rank, 13U) << "verified because its cells agree";
 }
 
 TEST(ReadCandidatesCsv, RefusesRowsThatAreNoAnswers)
 {
     EXPECT_THAT(error_of("10,1,0,0.9,0,0,0,,0\n"), HasSubstr("line 2: frame 10, the run has 10"));
     EXPECT_THAT(error_of("3,1,3,0.9,0,0,0,,0\n"), HasSubstr("not an earlier frame"));
-    EXPECT_THAT(error_of("3,2,0,0.9,0,0,0,,0\n"), HasSubstr("rank 2 where rank 1"));
-    EXPECT_THAT(error_of("3,1,0,0.9,0,0,0,,0\n3,1,1,0.9,0,0,0,,0\n"), HasSubstr("line 3: rank 1"));
+    EXPECT_THAT(error_of("3,1,0,0.9,0,0,0,,0\n3,1,1,0.9,0,0,0,,0\n"),
+                HasSubstr("line 3: rank 1 comes after rank 1"));
+    EXPECT_THAT(error_of("3,12,0,0.9,1,0,0,,0\n3,2,1,0.9,0,0,0,,0\n"),
+                HasSubstr("line 3: rank 2 comes after rank 12"));
     EXPECT_THAT(error_of("3,1,0,0.9,2,0,0,,0\n"), HasSubstr("checked is '2'"));
     EXPECT_THAT(error_of("3,,0,0.9,0,0,0,,0\n"), HasSubstr("neither an answer"));
     EXPECT_THAT(error_of("3,1,0,0.9,1,0,0,dull,0\n"), HasSubstr("'dull'"));

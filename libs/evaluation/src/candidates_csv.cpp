@@ -5,6 +5,7 @@
 #include "fild/core/words.h"
 #include "rejection_word.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace fild
@@ -36,7 +37,7 @@ ConsideredCandidate parse_answer(const CsvRow& row, std::uint64_t frame)
 AnswersOfFrames read_candidates_csv(const std::string& path, std::size_t frames)
 {
     AnswersOfFrames answers(frames);
-    std::vector<std::size_t> ranked(frames);
+    std::vector<std::size_t> last_ranks(frames);
     const auto take = [&](const CsvRow& row)
     {
         const auto frame = row.number<std::uint64_t>(0);
@@ -44,9 +45,10 @@ AnswersOfFrames read_candidates_csv(const std::string& path, std::size_t frames)
             row.fail("frame " + row.text(0) + ", the run has " + count_of(frames, "frame") +
                      " from 0");
         const auto answer = parse_answer(row, frame);
-        if (answer.rank > 0 && answer.rank != ++ranked[frame])
-            row.fail("rank " + row.text(1) + " where rank " + std::to_string(ranked[frame]) +
-                     " is expected");
+        auto& last_rank = last_ranks[frame];
+        if (answer.rank > 0 && answer.rank <= last_rank)
+            row.fail("rank " + row.text(1) + " comes after rank " + std::to_string(last_rank));
+        last_rank = std::max(last_rank, answer.rank);
         answers[frame].push_back(answer);
     };
     for_each_csv_row(path, kHeader, take);

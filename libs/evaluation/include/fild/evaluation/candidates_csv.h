@@ -17,7 +17,8 @@ using AnswersOfFrames = std::vector<std::vector<ConsideredCandidate>>;
  *  \param frames  of the run.
  *  \throw std::runtime_error naming file and line: unreadable, another header, a row that is no
  *         answer, a frame that the run has not, a candidate that is not an earlier frame, ranks of
- *         a frame that are not 1, 2, 3... */
+ *         a frame that do not increase. Of the answers beyond the first ten a run tells only those that
+ *         it verified: ranks have gaps. */
 AnswersOfFrames read_candidates_csv(const std::string& path, std::size_t frames);
 
 }  // namespace fild
