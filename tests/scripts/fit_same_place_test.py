@@ -89,7 +89,7 @@ class FitSamePlace(unittest.TestCase):
 
     def test_prints_overrides(self):
         done = run(*self.sets, "--look-alikes", "floors", "--as-overrides")
-        self.assertEqual(done.stdout.count("--set same_place."), 20)
+        self.assertEqual(done.stdout.count("--set same_place."), 16)
 
 
 if __name__ == "__main__":
