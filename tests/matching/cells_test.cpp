@@ -29,7 +29,7 @@ CellFeatures random_cells(std::uint64_t seed)
     return cells;
 }
 
-CellCodes codes_of(const CellFeatures& cells)
+CellCodes cell_codes(const CellFeatures& cells)
 {
     return fild::hash_cells(cells, 256, 1);
 }
@@ -60,12 +60,12 @@ CellFeatures shuffled(const CellFeatures& cells, std::uint64_t seed)
 TEST(CellHasher, MakesACodeForEachCellFromItsNumbersAndTheSeed)
 {
     const auto cells = random_cells(1);
-    const auto codes = codes_of(cells);
+    const auto codes = cell_codes(cells);
     EXPECT_EQ(codes.rows, kRows);
     EXPECT_EQ(codes.columns, kColumns);
     EXPECT_EQ(codes.codes.size(), cells.size());
     EXPECT_EQ(codes.codes.bits, 256);
-    EXPECT_EQ(codes.codes.words, codes_of(cells).codes.words);
+    EXPECT_EQ(codes.codes.words, cell_codes(cells).codes.words);
     EXPECT_NE(codes.codes.words, fild::hash_cells(cells, 256, 2).codes.words);
 }
 
@@ -75,8 +75,8 @@ TEST(CellHasher, OppositeCellsHaveOppositeCodesAndStrangersDifferInHalfTheBits)
     const auto cells = random_cells(1);
     auto opposite = cells;
     for (auto& x : opposite.values) x = -x;
-    const auto codes = codes_of(cells).codes;
-    const auto other = codes_of(opposite).codes;
+    const auto codes = cell_codes(cells).codes;
+    const auto other = cell_codes(opposite).codes;
     int between_strangers = 0;
     for (std::size_t i = 0; i + 1 < codes.size(); ++i)
     {
@@ -93,17 +93,17 @@ TEST(CellHasher, MakesNoCodesOfNoCells)
 
 TEST(AgreeingCells, AreAllOfTheSameView)
 {
-    const auto codes = codes_of(random_cells(1));
+    const auto codes = cell_codes(random_cells(1));
     EXPECT_EQ(agreeing_cells(codes, codes), codes.codes.size());
 }
 
 TEST(AgreeingCells, AreThoseThatAViewFromTheSideStillShows)
 {
     const auto cells = random_cells(1);
-    const auto there = codes_of(moved(cells, 2));
-    EXPECT_GE(agreeing_cells(codes_of(cells), there),
+    const auto there = cell_codes(moved(cells, 2));
+    EXPECT_GE(agreeing_cells(cell_codes(cells), there),
               static_cast<std::size_t>(kRows * (kColumns - 2)) - 2);
-    EXPECT_LE(agreeing_cells(codes_of(cells), there),
+    EXPECT_LE(agreeing_cells(cell_codes(cells), there),
               static_cast<std::size_t>(kRows * (kColumns - 2)) + 2);
 }
 
@@ -111,37 +111,37 @@ TEST(AgreeingCells, AreFewWhereTheSameThingsStandInAnotherOrder)
 {
     const auto cells = random_cells(1);
     for (std::uint64_t seed = 1; seed <= 5; ++seed)
-        EXPECT_LE(agreeing_cells(codes_of(cells), codes_of(shuffled(cells, seed))), 15U)
+        EXPECT_LE(agreeing_cells(cell_codes(cells), cell_codes(shuffled(cells, seed))), 15U)
             << "of 48, seed " << seed;
 }
 
 TEST(AgreeingCells, AreFewInStrangePlacesAndInFeaturelessOnes)
 {
-    EXPECT_LE(agreeing_cells(codes_of(random_cells(1)), codes_of(random_cells(2))), 6U);
+    EXPECT_LE(agreeing_cells(cell_codes(random_cells(1)), cell_codes(random_cells(2))), 6U);
     const CellFeatures wall{
         kRows, kColumns, kChannels, std::vector<float>(random_cells(1).values.size())};
-    EXPECT_LE(agreeing_cells(codes_of(wall), codes_of(wall)), 1U);
+    EXPECT_LE(agreeing_cells(cell_codes(wall), cell_codes(wall)), 1U);
 }
 
 TEST(AgreeingCells, AreNoneWithoutCells)
 {
-    const auto codes = codes_of(random_cells(1));
+    const auto codes = cell_codes(random_cells(1));
     EXPECT_EQ(agreeing_cells({}, codes), 0U);
     EXPECT_EQ(agreeing_cells(codes, {}), 0U);
 }
 
 TEST(AgreeingCells, CompareMapsOfOtherSizes)
 {
-    auto smaller = codes_of(random_cells(1));
+    auto smaller = cell_codes(random_cells(1));
     smaller.rows = 4;
     smaller.codes.words.resize(4 * kColumns * 4);
-    EXPECT_EQ(agreeing_cells(smaller, codes_of(random_cells(1))), 32U);
-    EXPECT_EQ(agreeing_cells(codes_of(random_cells(1)), smaller), 32U);
+    EXPECT_EQ(agreeing_cells(smaller, cell_codes(random_cells(1))), 32U);
+    EXPECT_EQ(agreeing_cells(cell_codes(random_cells(1)), smaller), 32U);
 }
 
 TEST(AgreeingCells, RefuseCodesOfAnotherLength)
 {
-    const auto codes = codes_of(random_cells(1));
+    const auto codes = cell_codes(random_cells(1));
     EXPECT_THROW(agreeing_cells(codes, fild::hash_cells(random_cells(1), 128, 1)),
                  std::invalid_argument);
 }
