@@ -21,9 +21,9 @@ namespace fild
  * neighbours of its descriptor. With the defaults nothing but those, as in the paper. */
 struct TCandidateOptions : Options
 {
-    /** Of the nearest neighbours so many places are verified: those that agree with the query in most
-     *  cells, see agreeing_cells(), the best first. Needs [global_descriptor] cell_layer. 0: all are,
-     *  the most similar descriptor first. */
+    /** How many places are verified: among the nearest neighbours, those with most agreeing_cells(),
+     *  best first. Needs [global_descriptor] cell_layer. 0: all neighbours are, most similar
+     *  first. */
     int best_by_cells = 0;
     /** Of nearest neighbours at most `place_frames` frames apart only the most similar is verified:
      *  they show one place, and neighbour_reach finds its best frame. 0: all are verified. */
