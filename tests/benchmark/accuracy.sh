@@ -135,7 +135,7 @@ fit() {
   local set arguments=()
   for set in "${fitted[@]}"; do arguments+=("$set=$set/pairs"); done
   /usr/bin/python3 "$repository/tests/benchmark/fit_same_place.py" "${arguments[@]}" \
-    --look-alikes office-tower,town,town-hard --rendered town,town-hard "$@"
+    --look-alikes office-tower,town,town-hard "$@"
 }
 
 for set in "${fitted[@]}"; do  # every candidate of every frame, for the fit

@@ -2,13 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fits the coefficients of [same_place] to labelled runs and prints them as lines of an .ini file.
 
-    fit_same_place.py SET=FOLDER... [--look-alikes SET,...] [--rendered SET,...] [--without SET]
+    fit_same_place.py SET=FOLDER... [--look-alikes SET,...] [--without SET]
                       [--as-overrides]
 
 FOLDER holds the sweep_pairs.csv of `loop-closure-eval --rawlog ... --output FOLDER`. Wrong pairs with fewer
 than 20 inliers teach what chance does; those of the --look-alikes sets with more, what look-alikes are; those
-of other sets are neighbours of the truth and teach nothing. Each set counts as much as any other, --rendered
-ones half; --without leaves one out.
+of other sets are neighbours of the truth and teach nothing. Each set counts as much as any other; --without leaves one out.
 --as-overrides prints arguments for --set instead."""
 
 import argparse
@@ -18,10 +17,10 @@ from pathlib import Path
 
 import numpy as np
 
-SHARES = ["inlier_share", "shape_share", "affine_share", "match_share", "close_share", "overlap_share"]
+SHARES = ["inlier_share", "shape_share", "match_share", "close_share", "overlap_share"]
 # What a greater number says: 1 for one place, -1 against it, 0 left out.
-CHANCE_SIGNS = np.array([1, 1, 0, 1, 0, 0, 0])
-LOOK_ALIKE_SIGNS = np.array([0, 1, -1, 0, 1, -1, -1])
+CHANCE_SIGNS = np.array([1, 0, 0, 1, 0, 0])
+LOOK_ALIKE_SIGNS = np.array([0, 1, -1, 1, -1, -1])
 LEAST_SHARE = 0.003
 CLEAR_INLIERS = 15  # a true pair with fewer is not clear enough to learn from
 LOOK_ALIKE_INLIERS = 20
@@ -44,12 +43,12 @@ class Pairs:
 
 
 def logistic(groups, signs, ridge):
-    """Logistic regression with coefficients of the given signs. `groups`: (features, class, weight);
-    a group counts by its weight, however many rows it has, and both classes count the same."""
+    """Logistic regression with coefficients of the given signs. `groups`: (features, class);
+    a group counts as much as any other, however many rows it has, and both classes count the same."""
     groups = [group for group in groups if len(group[0])]
-    x = np.concatenate([features for features, _, _ in groups])
-    y = np.concatenate([np.full(len(features), float(label)) for features, label, _ in groups])
-    w = np.concatenate([np.full(len(f), weight / len(f)) for f, _, weight in groups])
+    x = np.concatenate([features for features, _ in groups])
+    y = np.concatenate([np.full(len(features), float(label)) for features, label in groups])
+    w = np.concatenate([np.full(len(features), 1 / len(features)) for features, _ in groups])
     for label in (0, 1):
         w[y == label] /= 2 * w[y == label].sum()
     used = np.flatnonzero(signs)
@@ -86,12 +85,12 @@ def best_pairs(pairs, score):
     return np.array(sorted(best.values()), dtype=int)
 
 
-def fit_chance(sets, weight):
+def fit_chance(sets):
     groups = []
     for name, p in sets.items():
         clear = (p.truth == 1) & (p.inliers >= CLEAR_INLIERS)
         wrong = (p.truth == 0) & (p.inliers < LOOK_ALIKE_INLIERS)
-        groups += [(p.features[clear], 1, weight(name)), (p.features[wrong], 0, weight(name))]
+        groups += [(p.features[clear], 1), (p.features[wrong], 0)]
     coefficients, bias = logistic(groups, CHANCE_SIGNS, 1e-5)
     # Again with the best pair of each query alone: what the detector has to decide.
     groups = []
@@ -100,19 +99,19 @@ def fit_chance(sets, weight):
         best = best_pairs(p, score)
         right = best[(p.truth[best] == 1) & (p.inliers[best] >= REPORTED_INLIERS)]
         wrong = best[(p.truth[best] == 0) & (p.inliers[best] < LOOK_ALIKE_INLIERS)]
-        groups += [(score[right][:, None], 1, weight(name)), (score[wrong][:, None], 0, weight(name))]
+        groups += [(score[right][:, None], 1), (score[wrong][:, None], 0)]
     slope, offset = logistic(groups, np.array([1]), 1e-6)
     return coefficients * slope[0], bias * slope[0] + offset
 
 
-def fit_look_alikes(sets, look_alikes, weight):
+def fit_look_alikes(sets, look_alikes):
     groups = []
     for name, p in sets.items():
         clear = (p.truth == 1) & (p.inliers >= CLEAR_INLIERS)
-        groups.append((p.features[clear], 1, weight(name)))
+        groups.append((p.features[clear], 1))
         if name in look_alikes:
             alike = (p.truth == 0) & (p.inliers >= LOOK_ALIKE_INLIERS)
-            groups.append((p.features[alike], 0, weight(name)))
+            groups.append((p.features[alike], 0))
     return logistic(groups, LOOK_ALIKE_SIGNS, 1e-4)
 
 
@@ -125,7 +124,6 @@ def main():
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("sets", nargs="+")
     parser.add_argument("--look-alikes", default="")
-    parser.add_argument("--rendered", default="")
     parser.add_argument("--without", default="")
     parser.add_argument("--as-overrides", action="store_true")
     options = parser.parse_args()
@@ -134,13 +132,8 @@ def main():
     look_alikes = set(options.look_alikes.split(",")) & set(sets)
     if not look_alikes:
         sys.exit("fit_same_place.py: no set of look-alikes is left; name one with --look-alikes")
-    rendered = options.rendered.split(",")
-
-    def weight(name):
-        return 0.5 if name in rendered else 1.0
-
-    fitted = [*lines("chance_", *fit_chance(sets, weight)),
-              *lines("look_alike_", *fit_look_alikes(sets, look_alikes, weight))]
+    fitted = [*lines("chance_", *fit_chance(sets)),
+              *lines("look_alike_", *fit_look_alikes(sets, look_alikes))]
     for key, value in fitted:
         text = f"{value:.4f}".rstrip("0").rstrip(".")
         text = "0" if text in ("-0", "") else text

@@ -56,9 +56,10 @@ TEST(CandidateChoice, CountsOnlyPlacesNearACandidateOfTheFrame)
     const auto first_lap = candidate(10, 5);
     const auto second_lap = candidate(60, 5);
     const auto states = at(12, 0.5, 63, 0.4);
-    EXPECT_DOUBLE_EQ(probability_near({{&first_lap, 10}}, states, 5), 0.5);
-    EXPECT_DOUBLE_EQ(probability_near({{&first_lap, 10}, {&second_lap, 60}}, states, 5), 0.9);
-    EXPECT_DOUBLE_EQ(probability_near({{&first_lap, 10}, {&first_lap, 10}}, states, 1), 0);
+    EXPECT_DOUBLE_EQ(probability_near({{&first_lap, 10}}, states), 0.5);
+    EXPECT_DOUBLE_EQ(probability_near({{&first_lap, 10}, {&second_lap, 60}}, states), 0.9);
+    EXPECT_DOUBLE_EQ(probability_near({{&first_lap, 10}, {&first_lap, 10}}, at(15, 0.5, 16, 0.4)),
+                     0.5);
 }
 
 }  // namespace

@@ -45,9 +45,9 @@ TEST(SamePlaceModel, TellsLookAlikesByTheSharesOfManyInliersOnly)
     const fild::SamePlaceModel model(options());
     const auto against_look_alike = [&](std::size_t inliers)
     { return model.odds(inliers, halves()).against_look_alike; };
-    EXPECT_EQ(against_look_alike(15), 0);
-    EXPECT_NEAR(against_look_alike(35), 0.25, 1e-12);
-    EXPECT_EQ(against_look_alike(55), 0.5);
+    EXPECT_EQ(against_look_alike(10), 0);
+    EXPECT_NEAR(against_look_alike(25), 0.25, 1e-12);
+    EXPECT_EQ(against_look_alike(40), 0.5);
 }
 
 TEST(SamePlaceModel, StaysWithinWhatCanBeLearnt)

@@ -91,10 +91,9 @@ TEST(PairEvidence, OfAViewThatIsSeenAgainIsAllGood)
     const auto query = scattered(1);
     const auto candidate = moved(query, 5, 0, 0);
     const auto matches = first_matches(200, 60);
-    const auto values = fild::measure_evidence({query, candidate, matches, matches});
+    const auto values = fild::measure_evidence({query, candidate, matches, matches, kKeypoints});
     EXPECT_NEAR(value(values, Evidence::inlier_share), 201.0 / 203, 1e-12);
     EXPECT_NEAR(value(values, Evidence::shape_share), 201.0 / 203, 1e-12);
-    EXPECT_NEAR(value(values, Evidence::affine_share), 201.0 / 203, 1e-12);
     EXPECT_NEAR(value(values, Evidence::match_share), 201.0 / 403, 1e-12);
     EXPECT_NEAR(value(values, Evidence::close_share), 1.0 / 203, 1e-12) << "60 bits are not close";
     EXPECT_GT(value(values, Evidence::overlap_share), 0.8);
@@ -106,7 +105,7 @@ TEST(PairEvidence, CountsCloseMatchesThatAreNoInliers)
     const auto candidate = moved(query, 5, 0, 0);
     const auto matches = first_matches(100, 10);
     const std::vector<Match> inliers(matches.begin(), matches.begin() + 25);
-    const auto values = fild::measure_evidence({query, candidate, matches, inliers});
+    const auto values = fild::measure_evidence({query, candidate, matches, inliers, kKeypoints});
     EXPECT_NEAR(value(values, Evidence::close_share), 101.0 / 103, 1e-12);
     EXPECT_NEAR(value(values, Evidence::inlier_share), 26.0 / 103, 1e-12);
 }
@@ -121,7 +120,7 @@ TEST(PairEvidence, KnowsWhatIsBeyondTheBorder)
     const auto inliers = matches;
     for (std::size_t i = 0; i < kKeypoints; ++i)
         if (query.positions[i].x > 400) matches.push_back({i, i, 20});
-    const auto values = fild::measure_evidence({query, candidate, matches, inliers});
+    const auto values = fild::measure_evidence({query, candidate, matches, inliers, kKeypoints});
     EXPECT_LT(value(values, Evidence::overlap_share), 0.6);
 }
 
@@ -130,7 +129,7 @@ TEST(PairEvidence, TakesTooFewInliersForAWholeOverlap)
     const auto query = scattered(1);
     const auto matches = first_matches(20, 20);
     const std::vector<Match> inliers(matches.begin(), matches.begin() + 2);
-    const auto values = fild::measure_evidence({query, query, matches, inliers});
+    const auto values = fild::measure_evidence({query, query, matches, inliers, kKeypoints});
     EXPECT_NEAR(value(values, Evidence::overlap_share), 21.0 / 23, 1e-12);
 }
 
@@ -139,7 +138,7 @@ TEST(PairEvidence, NeedsShapes)
     const auto query = scattered(1);
     auto without = query;
     without.shapes.clear();
-    EXPECT_THROW(fild::measure_evidence({query, without, {}, {}}), std::invalid_argument);
+    EXPECT_THROW(fild::measure_evidence({query, without, {}, {}, 0}), std::invalid_argument);
 }
 
 }  // namespace

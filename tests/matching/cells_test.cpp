@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "code_distance.h"
-#include "fild/core/random.h"
-#include "fild/matching/cell_agreement.h"
-#include "fild/matching/cell_hasher.h"
+#include "fild/matching/cell_motion.h"
+#include "random_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -11,39 +10,19 @@
 
 namespace
 {
-using fild::agreeing_cells;
 using fild::CellCodes;
 using fild::CellFeatures;
+using fild::testing::cell_codes;
 using fild::testing::code_distance;
+using fild::testing::kChannels;
+using fild::testing::kColumns;
+using fild::testing::kRows;
+using fild::testing::moved;
+using fild::testing::random_cells;
 
-constexpr int kRows = 6;
-constexpr int kColumns = 8;
-constexpr int kChannels = 16;
-
-CellFeatures random_cells(std::uint64_t seed)
+std::size_t agreeing_cells(const CellCodes& query, const CellCodes& candidate)
 {
-    std::mt19937_64 generator(seed);
-    CellFeatures cells{kRows, kColumns, kChannels, {}};
-    for (std::size_t i = 0; i < cells.size() * kChannels; ++i)
-        cells.values.push_back(static_cast<float>(fild::standard_normal(generator)));
-    return cells;
-}
-
-CellCodes cell_codes(const CellFeatures& cells)
-{
-    return fild::hash_cells(cells, 256, 1);
-}
-
-/** The cells moved to the right; what comes in from the left is new. */
-CellFeatures moved(const CellFeatures& cells, int columns)
-{
-    auto result = random_cells(77);
-    for (int row = 0; row < kRows; ++row)
-        for (int column = 0; column + columns < kColumns; ++column)
-            for (int c = 0; c < kChannels; ++c)
-                result.values[((row * kColumns) + column + columns) * kChannels + c] =
-                    cells.values[((row * kColumns) + column) * kChannels + c];
-    return result;
+    return fild::cell_motion(query, candidate).agreeing();
 }
 
 /** The same cells in a random order. */
@@ -91,13 +70,13 @@ TEST(CellHasher, MakesNoCodesOfNoCells)
     EXPECT_EQ(fild::hash_cells({}, 256, 1).codes.size(), 0U);
 }
 
-TEST(AgreeingCells, AreAllOfTheSameView)
+TEST(CellMotion, AreAllOfTheSameView)
 {
     const auto codes = cell_codes(random_cells(1));
     EXPECT_EQ(agreeing_cells(codes, codes), codes.codes.size());
 }
 
-TEST(AgreeingCells, AreThoseThatAViewFromTheSideStillShows)
+TEST(CellMotion, AreThoseThatAViewFromTheSideStillShows)
 {
     const auto cells = random_cells(1);
     const auto there = cell_codes(moved(cells, 2));
@@ -107,7 +86,7 @@ TEST(AgreeingCells, AreThoseThatAViewFromTheSideStillShows)
               static_cast<std::size_t>(kRows * (kColumns - 2)) + 2);
 }
 
-TEST(AgreeingCells, AreFewWhereTheSameThingsStandInAnotherOrder)
+TEST(CellMotion, AreFewWhereTheSameThingsStandInAnotherOrder)
 {
     const auto cells = random_cells(1);
     for (std::uint64_t seed = 1; seed <= 5; ++seed)
@@ -115,7 +94,7 @@ TEST(AgreeingCells, AreFewWhereTheSameThingsStandInAnotherOrder)
             << "of 48, seed " << seed;
 }
 
-TEST(AgreeingCells, AreFewInStrangePlacesAndInFeaturelessOnes)
+TEST(CellMotion, AreFewInStrangePlacesAndInFeaturelessOnes)
 {
     EXPECT_LE(agreeing_cells(cell_codes(random_cells(1)), cell_codes(random_cells(2))), 6U);
     const CellFeatures wall{
@@ -123,14 +102,14 @@ TEST(AgreeingCells, AreFewInStrangePlacesAndInFeaturelessOnes)
     EXPECT_LE(agreeing_cells(cell_codes(wall), cell_codes(wall)), 1U);
 }
 
-TEST(AgreeingCells, AreNoneWithoutCells)
+TEST(CellMotion, AreNoneWithoutCells)
 {
     const auto codes = cell_codes(random_cells(1));
     EXPECT_EQ(agreeing_cells({}, codes), 0U);
     EXPECT_EQ(agreeing_cells(codes, {}), 0U);
 }
 
-TEST(AgreeingCells, CompareMapsOfOtherSizes)
+TEST(CellMotion, CompareMapsOfOtherSizes)
 {
     auto smaller = cell_codes(random_cells(1));
     smaller.rows = 4;
@@ -139,7 +118,7 @@ TEST(AgreeingCells, CompareMapsOfOtherSizes)
     EXPECT_EQ(agreeing_cells(cell_codes(random_cells(1)), smaller), 32U);
 }
 
-TEST(AgreeingCells, RefuseCodesOfAnotherLength)
+TEST(CellMotion, RefuseCodesOfAnotherLength)
 {
     const auto codes = cell_codes(random_cells(1));
     EXPECT_THROW(agreeing_cells(codes, fild::hash_cells(random_cells(1), 128, 1)),

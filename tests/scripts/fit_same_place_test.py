@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 SCRIPT = Path(__file__).resolve().parents[1] / "benchmark" / "fit_same_place.py"
-SHARES = ["inlier_share", "shape_share", "affine_share", "match_share", "close_share", "overlap_share"]
+SHARES = ["inlier_share", "shape_share", "match_share", "close_share", "overlap_share"]
 
 
 def write_pairs(folder, kinds, seed):
@@ -57,7 +57,7 @@ class FitSamePlace(unittest.TestCase):
 
     def test_learns_what_tells_the_classes_apart(self):
         fitted = {key: float(value) for key, value in self.fit("--look-alikes", "floors").items()}
-        self.assertEqual(len(fitted), 16)
+        self.assertEqual(len(fitted), 14)
         self.assertGreater(fitted["chance_inliers"] + fitted["chance_inlier_share"], 1)
         self.assertGreater(fitted["look_alike_inlier_share"], 0.5)
         self.assertLess(fitted["look_alike_close_share"], -0.5)
@@ -89,7 +89,7 @@ class FitSamePlace(unittest.TestCase):
 
     def test_prints_overrides(self):
         done = run(*self.sets, "--look-alikes", "floors", "--as-overrides")
-        self.assertEqual(done.stdout.count("--set same_place."), 16)
+        self.assertEqual(done.stdout.count("--set same_place."), 14)
 
 
 if __name__ == "__main__":

@@ -8,12 +8,8 @@ namespace fild
 {
 std::string to_word(Evidence kind)
 {
-    constexpr std::array<const char*, kEvidenceKinds> kWords = {"inlier_share",
-                                                                "shape_share",
-                                                                "affine_share",
-                                                                "match_share",
-                                                                "close_share",
-                                                                "overlap_share"};
+    constexpr std::array<const char*, kEvidenceKinds> kWords = {
+        "inlier_share", "shape_share", "match_share", "close_share", "overlap_share"};
     return kWords.at(to_index(kind));
 }
 

@@ -12,6 +12,8 @@ namespace fild
 {
 namespace
 {
+constexpr int kShownPlaces = 5;  // on either side of a candidate, that a frame at one may show
+
 bool is_within(int reach, std::size_t a, std::size_t b)
 {
     return std::abs(static_cast<long>(a) - static_cast<long>(b)) <= reach;
@@ -45,15 +47,14 @@ const ConsideredCandidate& most_probable(const std::vector<BelievableCandidate>&
 }
 
 double probability_near(const std::vector<BelievableCandidate>& candidates,
-                        const PlaceStates& states,
-                        int reach)
+                        const PlaceStates& states)
 {
     double sum = 0;
     for (std::size_t i = 0; i < states.same.size(); ++i)
         if (std::any_of(candidates.begin(),
                         candidates.end(),
                         [&](const BelievableCandidate& each)
-                        { return is_within(reach, each.place, i); }))
+                        { return is_within(kShownPlaces, each.place, i); }))
             sum += states.same[i];
     return sum;
 }

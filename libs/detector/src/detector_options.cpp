@@ -66,6 +66,9 @@ void TDetectorOptions::check_between_sections() const
     if (candidates.best_by_cells > 0 && global_descriptor.cell_layer.empty())
         throw std::invalid_argument(
             "[candidates] best_by_cells > 0 needs a layer in [global_descriptor] cell_layer");
+    if (hashing.search == CodeSearch::guided && global_descriptor.cell_layer.empty())
+        throw std::invalid_argument(
+            "[hashing] search = guided needs a layer in [global_descriptor] cell_layer");
     if (candidates.follow_belief && !consistency.belief)
         throw std::invalid_argument(
             "[candidates] follow_belief = true needs [consistency] belief = true");

@@ -2,7 +2,7 @@
 // The FILD pipeline (An et al., IROS 2019), Figure 2.
 #include "fild/detector/loop_detector.h"
 
-#include "fild/matching/cell_agreement.h"
+#include "fild/matching/cell_motion.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -152,7 +152,6 @@ LoopDetector::LoopDetector(const TDetectorOptions& options, std::size_t global_d
     if (!options.consistency.belief) return;
     belief_.emplace(options.consistency);
     believable_log_odds_ = log_odds_of(options.consistency.min_pair_probability);
-    near_places_ = options.consistency.near_places;
     if (options.consistency.look_ahead_seconds > 0) smoother_.emplace(options.consistency);
 }
 
@@ -250,7 +249,8 @@ std::vector<Candidate> LoopDetector::in_order_of_promise(const FrameDescription&
     ranking.reserve(answers.size());
     for (const auto& answer : answers)
         ranking.emplace_back(
-            agreeing_cells(query.local.cells, places_.at(answer.frame).local.cells), answer);
+            cell_motion(query.local.cells, places_.at(answer.frame).local.cells).agreeing(),
+            answer);
     std::stable_sort(ranking.begin(),
                      ranking.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -390,7 +390,7 @@ void LoopDetector::ask(const PlaceStates& states,
     auto named = most_probable(candidates, states);
     if (named.candidate.frame != outcome.verdict.candidate->frame)
         verify(query, named, outcome, times);
-    judge(outcome.verdict, named.rejection, probability_near(candidates, states, near_places_));
+    judge(outcome.verdict, named.rejection, probability_near(candidates, states));
 }
 
 std::vector<BelievableCandidate> LoopDetector::believable(const DetectorOutcome& outcome) const

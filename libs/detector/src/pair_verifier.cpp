@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace fild
 {
@@ -31,9 +32,12 @@ VerifiedPair PairVerifier::verify(const HashedFeatures& query,
                                   StageTimes& times) const
 {
     VerifiedPair pair;
+    std::size_t compared = 0;
     {
         const StageTimer timer(times, "matching");
-        pair.matches = matcher_.match(query.codes, candidate.codes);
+        auto matching = matcher_.match(query, candidate);
+        pair.matches = std::move(matching.matches);
+        compared = matching.compared;
     }
     {
         const StageTimer timer(times, "verification");
@@ -42,7 +46,7 @@ VerifiedPair PairVerifier::verify(const HashedFeatures& query,
     if (!model_ || pair.verification.rejection != Rejection::none) return pair;
     const StageTimer timer(times, "evidence");
     const auto inliers = pair.inliers();
-    pair.evidence = measure_evidence({query, candidate, pair.matches, inliers});
+    pair.evidence = measure_evidence({query, candidate, pair.matches, inliers, compared});
     pair.odds = model_->odds(inliers.size(), pair.evidence);
     return pair;
 }

@@ -14,8 +14,8 @@ constexpr double kMaxAgainstChance = 12;
 constexpr double kMaxAgainstLookAlike = 10;
 constexpr double kInliersOfAnyModel = 6;
 constexpr double kLeastShare = 0.003;
-constexpr double kInliersThatSayNothing = 15;  // of a look-alike
-constexpr double kInliersThatSayAll = 55;
+constexpr double kInliersThatSayNothing = 10;  // of a look-alike
+constexpr double kInliersThatSayAll = 40;
 
 /** +1 or -1: what a greater share says against a look-alike. */
 int sign_against_look_alike(Evidence kind)

@@ -15,7 +15,7 @@ namespace fild
 namespace
 {
 // All lengths are shares of the image's diagonal.
-constexpr double kAffineError = 0.03;  // of an inlier from where the affine map takes it
+constexpr double kAffineError = 0.03;  // of an inlier that the affine map fits
 constexpr double kBorder = 0.03;  // of the image's sides, where keypoints are missed
 constexpr double kMaxScale = 5;
 constexpr std::size_t kMapPairs = 200;  // inliers that a LocalMap keeps, evenly chosen
@@ -90,14 +90,8 @@ std::vector<PixelPosition> chosen(const std::vector<PixelPosition>& positions)
     return kept;
 }
 
-/** The inliers as one affine map sees them. */
-struct AffineFit
-{
-    std::size_t agreeing = 0;
-    std::optional<LocalMap> map;  ///< candidate from query
-};
-
-AffineFit fit_affine(const MatchedPair& pair)
+/** Candidate from query, by the inliers; none when no affine map fits them. */
+std::optional<LocalMap> map_of_inliers(const MatchedPair& pair)
 {
     std::vector<PixelPosition> from;
     std::vector<PixelPosition> to;
@@ -110,22 +104,20 @@ AffineFit fit_affine(const MatchedPair& pair)
         query.emplace_back(from.back().x, from.back().y);
         candidate.emplace_back(to.back().x, to.back().y);
     }
-    if (from.size() < 3) return {};
-    std::vector<unsigned char> agrees;
+    if (from.size() < 3) return std::nullopt;
     const cv::Mat affine = cv::estimateAffine2D(query,
                                                 candidate,
-                                                agrees,
+                                                cv::noArray(),
                                                 cv::RANSAC,
                                                 kAffineError * diagonal(pair.candidate.image_size),
                                                 500,
                                                 0.99,
                                                 5);
-    if (affine.empty()) return {};
-    AffineFit fit{static_cast<std::size_t>(cv::countNonZero(agrees)), std::nullopt};
+    if (affine.empty()) return std::nullopt;
     const cv::Matx23d m(affine);
     LocalMap map(chosen(from), chosen(to), {m(0, 0), m(0, 1), m(1, 0), m(1, 1)});
-    if (map.scale() > 1 / kMaxScale && map.scale() < kMaxScale) fit.map = std::move(map);
-    return fit;
+    if (map.scale() <= 1 / kMaxScale || map.scale() >= kMaxScale) return std::nullopt;
+    return map;
 }
 
 std::size_t matches_in_overlap(const MatchedPair& pair, const LocalMap& map)
@@ -149,7 +141,7 @@ void require_shapes(const HashedFeatures& features)
         throw std::invalid_argument("measure_evidence: keypoints without shape or code");
 }
 
-/** Matches at a tenth of the bits or less. */
+/** Matches at kCloseBits or less. */
 std::size_t count_close(const std::vector<Match>& matches, int bits)
 {
     std::size_t close = 0;
@@ -160,22 +152,20 @@ std::size_t count_close(const std::vector<Match>& matches, int bits)
 
 EvidenceValues measure_evidence(const MatchedPair& pair)
 {
-    const auto& [query, candidate, matches, inliers] = pair;
+    const auto& [query, candidate, matches, inliers, compared] = pair;
     require_shapes(query);
     require_shapes(candidate);
-    const auto keypoints = std::min(query.positions.size(), candidate.positions.size());
     const auto close = count_close(matches, query.codes.bits);
     const auto shape = dominant_shape(inliers, query.shapes, candidate.shapes, {});
-    const auto affine = fit_affine(pair);
+    const auto map = map_of_inliers(pair);
     EvidenceValues values{};
     const auto set = [&](Evidence kind, double value) { values[to_index(kind)] = value; };
     set(Evidence::inlier_share, share(inliers.size(), matches.size()));
     set(Evidence::shape_share, share(shape.agreeing, inliers.size()));
-    set(Evidence::affine_share, share(affine.agreeing, inliers.size()));
-    set(Evidence::match_share, share(matches.size(), keypoints));
+    set(Evidence::match_share, share(matches.size(), compared));
     set(Evidence::close_share, share(close, matches.size()));
     set(Evidence::overlap_share,
-        share(affine.map ? matches_in_overlap(pair, *affine.map) : matches.size(), matches.size()));
+        share(map ? matches_in_overlap(pair, *map) : matches.size(), matches.size()));
     return values;
 }
 

@@ -4,6 +4,7 @@
 #include "fild/matching/code_matcher.h"
 
 #include "fild/matching/ratio_test.h"
+#include "guided_search.h"
 #include "nearest_two.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ namespace fild
 {
 namespace
 {
+constexpr double kUnrelatedBits = 0.45;  // share of the bits in which unrelated codes differ
+
 /** The candidate's codes sorted by coarse bucket, one ordering for each hash table. */
 class BucketTables
 {
@@ -105,6 +108,14 @@ std::vector<NearestTwo> nearest_candidates(const BinaryCodes& query,
     return nearest;
 }
 
+std::size_t compared(const std::vector<NearestTwo>& codes)
+{
+    return static_cast<std::size_t>(std::count_if(codes.begin(),
+                                                  codes.end(),
+                                                  [](const NearestTwo& nearest)
+                                                  { return nearest.bits != NearestTwo::kNone; }));
+}
+
 void require_comparable(const BinaryCodes& query, const BinaryCodes& candidate, CodeSearch search)
 {
     if (query.bits != candidate.bits || query.tables != candidate.tables)
@@ -113,6 +124,8 @@ void require_comparable(const BinaryCodes& query, const BinaryCodes& candidate, 
                                     " bits, or of unlike hash tables, do not compare");
     if (search == CodeSearch::cascade && query.tables == 0)
         throw std::invalid_argument("CodeMatcher: search=cascade needs codes with hash tables");
+    if (search == CodeSearch::guided)
+        throw std::invalid_argument("CodeMatcher: search=guided needs positions and cells");
 }
 }  // namespace
 
@@ -120,6 +133,13 @@ CodeMatcher::CodeMatcher(const THashingOptions& options)
     : search_(options.search), ratio_(options.ratio), mutual_check_(options.mutual_check)
 {
     options.check();
+}
+
+Matching CodeMatcher::match(const HashedFeatures& query, const HashedFeatures& candidate) const
+{
+    if (search_ == CodeSearch::guided) return match_by_cells(query, candidate);
+    return {match(query.codes, candidate.codes),
+            std::min(query.codes.size(), candidate.codes.size())};
 }
 
 std::vector<Match> CodeMatcher::match(const BinaryCodes& query, const BinaryCodes& candidate) const
@@ -137,6 +157,26 @@ std::vector<Match> CodeMatcher::match(const BinaryCodes& query, const BinaryCode
         matches.push_back({q, index, bits});
     }
     return matches;
+}
+
+Matching CodeMatcher::match_by_cells(const HashedFeatures& query,
+                                     const HashedFeatures& candidate) const
+{
+    require_comparable(query.codes, candidate.codes, CodeSearch::exhaustive);
+    if (query.cells.codes.size() == 0 || candidate.cells.codes.size() == 0) return {};
+    const auto met = meetings_by_cells(query, candidate);
+    const int unrelated = static_cast<int>(kUnrelatedBits * query.codes.bits);
+    Matching matching;
+    for (std::size_t q = 0; q < met.of_query.size(); ++q)
+    {
+        const auto& [bits, second_bits, index] = met.of_query[q];
+        if (bits == NearestTwo::kNone) continue;
+        if (mutual_check_ && met.of_candidate[index].index != q) continue;
+        if (passes_ratio_test(bits, std::min(second_bits, unrelated), ratio_))
+            matching.matches.push_back({q, index, bits});
+    }
+    matching.compared = std::min(compared(met.of_query), compared(met.of_candidate));
+    return matching;
 }
 
 }  // namespace fild

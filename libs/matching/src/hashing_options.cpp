@@ -7,10 +7,11 @@ void THashingOptions::describe(OptionVisitor& visitor)
 {
     visitor.flag("rooted", rooted);
     visitor.integer("bits", bits, 32, 1024);
-    visitor.choice<CodeSearch>(
-        "search",
-        search,
-        {{"cascade", CodeSearch::cascade}, {"exhaustive", CodeSearch::exhaustive}});
+    visitor.choice<CodeSearch>("search",
+                               search,
+                               {{"cascade", CodeSearch::cascade},
+                                {"exhaustive", CodeSearch::exhaustive},
+                                {"guided", CodeSearch::guided}});
     visitor.integer("tables", tables, 1, 64);
     visitor.integer("bucket_bits", bucket_bits, 1, 16);
     visitor.real("ratio", ratio, 0.01, 1);

@@ -33,19 +33,6 @@ template <std::size_t kWords>
     }
 }
 
-/** Distances to as many codes, which stand one after the other, as there is room for. */
-FILD_CLONED_FOR("popcnt")
-void hamming_distances(const std::uint64_t* code,
-                       const std::uint64_t* others,
-                       std::size_t words,
-                       std::vector<int>& distances)
-{
-    if (words == 4)  // 256 bits, what nearly everybody uses
-        distances_of<4>(code, others, words, distances);
-    else
-        distances_of<0>(code, others, words, distances);
-}
-
 #ifdef __x86_64__
 /** A distance and the index of its code in one number, which sorts by distance, then by index. */
 constexpr std::uint64_t kNoKey = std::numeric_limits<std::int64_t>::max();
@@ -102,6 +89,19 @@ std::vector<std::uint64_t> to_blocks(const BinaryCodes& codes, std::size_t words
 }
 }  // namespace
 
+FILD_CLONED_FOR("popcnt")
+void hamming_distances(const std::uint64_t* code,
+                       const BinaryCodes& others,
+                       std::vector<int>& distances)
+{
+    const auto words = static_cast<std::size_t>(others.words_per_code);
+    distances.resize(others.size());
+    if (words == 4)  // 256 bits, what nearly everybody uses
+        distances_of<4>(code, others.words.data(), words, distances);
+    else
+        distances_of<0>(code, others.words.data(), words, distances);
+}
+
 bool NearestCodes::can_compare_eight()
 {
 #ifdef __x86_64__
@@ -124,8 +124,8 @@ NearestTwo NearestCodes::nearest_of(const std::uint64_t* code) const
 #ifdef __x86_64__
     if (!blocks_.empty()) return nearest_in_blocks(code, words_, blocks_.data(), codes_.size());
 #endif
-    std::vector<int> distances(codes_.size());
-    hamming_distances(code, codes_.words.data(), words_, distances);
+    std::vector<int> distances;
+    hamming_distances(code, codes_, distances);
     NearestTwo nearest;
     for (std::size_t i = 0; i < distances.size(); ++i) nearest.compare(i, distances[i]);
     return nearest;

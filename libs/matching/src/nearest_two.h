@@ -33,6 +33,11 @@ struct NearestTwo
     }
 };
 
+/** Sets `distances` to the Hamming distances, bits, of the code from all others. */
+void hamming_distances(const std::uint64_t* code,
+                       const BinaryCodes& others,
+                       std::vector<int>& distances);
+
 /** Finds the nearest of many codes. Compares eight at a time where the processor can count bits so
  *  (AVX-512 VPOPCNTDQ), with the same result. Const members may run concurrently. */
 class NearestCodes

@@ -17,9 +17,7 @@ enum class Evidence
     inlier_share,
     /** Inliers that share one rotation (within 15 degrees) and scale (within half an octave). */
     shape_share,
-    /** Inliers that one affine map predicts to within 3 % of the image diagonal. */
-    affine_share,
-    /** Matches, divided by the keypoints of the image with fewer. */
+    /** Matches among the keypoints that were compared with any, of the image with fewer. */
     match_share,
     /** Close matches among all matches. Many close matches that do not agree on one motion are
      *  typical of repeated things: windows, doors, signs. */
@@ -29,7 +27,7 @@ enum class Evidence
     overlap_share
 };
 
-constexpr std::size_t kEvidenceKinds = 6;
+constexpr std::size_t kEvidenceKinds = 5;
 
 /** The enumerator's name: an .ini key and a column of candidates.csv. */
 std::string to_word(Evidence kind);

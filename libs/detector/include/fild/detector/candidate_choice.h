@@ -26,10 +26,10 @@ bool is_better(const ConsideredCandidate& a, const ConsideredCandidate& b, doubl
 const ConsideredCandidate& most_probable(const std::vector<BelievableCandidate>& candidates,
                                          const PlaceStates& states);
 
-/** Probability that the camera is at a place within `reach` of one of the candidates: several laps
- *  show one place, but a candidate far from where the camera is believed to be does not. */
+/** Probability that the camera is at one of the candidates or at one of the five places before or after
+ *  it: several laps show one place, but a candidate far from where the camera is believed to be does
+ *  not. */
 double probability_near(const std::vector<BelievableCandidate>& candidates,
-                        const PlaceStates& states,
-                        int reach);
+                        const PlaceStates& states);
 
 }  // namespace fild

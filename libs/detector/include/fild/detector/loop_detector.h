@@ -114,7 +114,6 @@ class LoopDetector
     std::optional<SamePlaceModel> model_;  ///< none: [same_place] is off
     std::optional<PlaceBelief> belief_;  ///< none: consecutive frames are counted
     double believable_log_odds_ = 0;  ///< of a pair that may be accepted
-    int near_places_ = 0;
     std::optional<PlaceSmoother> smoother_;  ///< of the waiting frames; none: no look-ahead
     WaitingVerdicts waiting_;
 

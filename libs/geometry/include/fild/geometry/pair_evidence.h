@@ -15,6 +15,7 @@ struct MatchedPair
     const HashedFeatures& candidate;
     const std::vector<Match>& matches;  ///< after the ratio test
     const std::vector<Match>& inliers;  ///< of those, in agreement with the fundamental matrix
+    std::size_t compared;  ///< Keypoints that could have been matched, of the image with fewer.
 };
 
 /** Measures each kind of evidence. The inliers tell where a keypoint of one image should be in the

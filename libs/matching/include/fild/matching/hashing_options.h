@@ -9,7 +9,8 @@ namespace fild
 enum class CodeSearch
 {
     cascade,  ///< those that share a coarse bucket in one of the hash tables, as CasHash does
-    exhaustive  ///< all
+    exhaustive,  ///< all
+    guided  ///< those of keypoints that stand where the network's cells say
 };
 
 /** Section [hashing]: binary codes of local descriptors and how they are matched. */

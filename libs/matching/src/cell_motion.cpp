@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fild/matching/cell_agreement.h"
+#include "fild/matching/cell_motion.h"
 
 #include "nearest_two.h"
 
+#include <algorithm>
 #include <cstdlib>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,28 +21,31 @@ constexpr int kAgreeingNeighbours = 2;
 std::vector<std::pair<std::size_t, std::size_t>> mutual_nearest(const BinaryCodes& a,
                                                                 const BinaryCodes& b)
 {
-    const NearestCodes codes_a(a);
-    const NearestCodes codes_b(b);
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    std::vector<NearestTwo> nearest_of_a(a.size());
+    std::vector<NearestTwo> nearest_of_b(b.size());
+    std::vector<int> distances;
     for (std::size_t i = 0; i < a.size(); ++i)
     {
-        const auto j = codes_b.nearest_of(a.code(i)).index;
-        if (codes_a.nearest_of(b.code(j)).index == i) pairs.emplace_back(i, j);
+        hamming_distances(a.code(i), b, distances);
+        for (std::size_t j = 0; j < b.size(); ++j)
+        {
+            nearest_of_a[i].compare(j, distances[j]);
+            nearest_of_b[j].compare(i, distances[j]);
+        }
     }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (const auto j = nearest_of_a[i].index; nearest_of_b[j].index == i)
+            pairs.emplace_back(i, j);
     return pairs;
 }
 
-struct Shift
-{
-    int rows;
-    int columns;
-};
-
-/** Where each cell of the query has moved to; the cells row by row, with an empty one all around. */
-class Shifts
+/** Where each matched cell of the query has moved to; the cells row by row, with an empty one all
+ *  around. */
+class MatchedCells
 {
  public:
-    Shifts(const CellCodes& query, const CellCodes& candidate)
+    MatchedCells(const CellCodes& query, const CellCodes& candidate)
         : width_(static_cast<std::size_t>(query.columns) + 2),
           shifts_(width_ * (static_cast<std::size_t>(query.rows) + 2))
     {
@@ -50,19 +53,20 @@ class Shifts
         {
             const auto [row, column] = cell_of(q, query.columns);
             const auto [other_row, other_column] = cell_of(c, candidate.columns);
-            shifts_[index_of(row, column)] = Shift{other_row - row, other_column - column};
+            shifts_[index_of(row, column)] = CellShift{other_row - row, other_column - column};
         }
     }
 
-    bool agrees_with_neighbours(int row, int column) const
+    /** Empty when the cell is not matched, or too few of those about it have moved as it has. */
+    std::optional<CellShift> agreed_shift(int row, int column) const
     {
         const auto& shift = shifts_[index_of(row, column)];
-        if (!shift) return false;
+        if (!shift) return std::nullopt;
         int agreeing = -1;  // it agrees with itself
         for (int i = row - 1; i <= row + 1; ++i)
             for (int j = column - 1; j <= column + 1; ++j)
                 if (is_alike(*shift, shifts_[index_of(i, j)])) ++agreeing;
-        return agreeing >= kAgreeingNeighbours;
+        return agreeing >= kAgreeingNeighbours ? shift : std::nullopt;
     }
 
  private:
@@ -76,29 +80,36 @@ class Shifts
         return static_cast<std::size_t>(row + 1) * width_ + static_cast<std::size_t>(column + 1);
     }
 
-    static bool is_alike(const Shift& a, const std::optional<Shift>& b)
+    static bool is_alike(const CellShift& a, const std::optional<CellShift>& b)
     {
         return b && std::abs(a.rows - b->rows) <= 1 && std::abs(a.columns - b->columns) <= 1;
     }
 
     std::size_t width_;
-    std::vector<std::optional<Shift>> shifts_;
+    std::vector<std::optional<CellShift>> shifts_;
 };
 }  // namespace
 
-std::size_t agreeing_cells(const CellCodes& query, const CellCodes& candidate)
+std::size_t CellMotion::agreeing() const
 {
-    if (query.codes.size() == 0 || candidate.codes.size() == 0) return 0;
+    return static_cast<std::size_t>(std::count_if(
+        shifts.begin(), shifts.end(), [](const auto& shift) { return shift.has_value(); }));
+}
+
+CellMotion cell_motion(const CellCodes& query, const CellCodes& candidate)
+{
+    if (query.codes.size() == 0 || candidate.codes.size() == 0) return {};
     if (query.codes.bits != candidate.codes.bits)
-        throw std::invalid_argument("agreeing_cells: codes of " + std::to_string(query.codes.bits) +
+        throw std::invalid_argument("cell_motion: codes of " + std::to_string(query.codes.bits) +
                                     " and " + std::to_string(candidate.codes.bits) +
                                     " bits do not compare");
-    const Shifts shifts(query, candidate);
-    std::size_t agreeing = 0;
+    const MatchedCells matched(query, candidate);
+    CellMotion motion{query.rows, query.columns, {}};
+    motion.shifts.reserve(query.codes.size());
     for (int row = 0; row < query.rows; ++row)
         for (int column = 0; column < query.columns; ++column)
-            if (shifts.agrees_with_neighbours(row, column)) ++agreeing;
-    return agreeing;
+            motion.shifts.push_back(matched.agreed_shift(row, column));
+    return motion;
 }
 
 }  // namespace fild
