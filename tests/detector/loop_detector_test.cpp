@@ -684,6 +684,25 @@ TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)
     EXPECT_EQ(detector.map_bytes(), 3 * (kPoints * (8 + 32 + 8) + kDimension * 4));
 }
 
+// Whitening keeps the descriptors of the index as they came, too.
+TEST(LoopDetector, WeighsBothDescriptorsOfAWhitenedMap)
+{
+    auto options = options_with_delay(1);
+    options.index.whiten_from = 2;
+    fild::LoopDetector detector(options, kDimension);
+    fild::StageTimes times;
+    for (std::uint64_t i = 0; i < 4; ++i)
+    {
+        auto view = view_of(10 + i, 0);
+        view.frame = FrameId{i};
+        view.timestamp = static_cast<double>(i);
+        detector.process(std::move(view), times);
+    }
+    constexpr std::size_t kInIndex = 3;
+    EXPECT_EQ(detector.map_bytes(),
+              4 * kPoints * (8 + 32 + 8) + (2 * kInIndex + 1) * kDimension * 4);
+}
+
 /** Places in an order, with a stop of `stop` frames at the third of five; then the first again. */
 std::vector<fild::DetectorOutcome> drive_with_a_stop(const fild::TDetectorOptions& options,
                                                      std::size_t stop)

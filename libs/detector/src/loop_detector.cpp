@@ -462,10 +462,15 @@ const Place* LoopDetector::find_place(FrameId frame) const
     return found == places_.end() ? nullptr : &found->second;
 }
 
+std::size_t LoopDetector::map_bytes() const
+{
+    return feature_bytes_ + queue_.size() * global_dimension_ * sizeof(float) +
+           index_->descriptor_bytes();
+}
+
 void LoopDetector::remember(FrameDescription description, std::optional<FrameId> stands_since)
 {
-    map_bytes_ += bytes_of(description.local) + bytes_of(description.metric.depths) +
-                  description.global.size() * sizeof(float);
+    feature_bytes_ += bytes_of(description.local) + bytes_of(description.metric.depths);
     places_.emplace(description.frame,
                     Place{description.timestamp,
                           std::move(description.sensor_label),

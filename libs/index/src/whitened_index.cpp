@@ -36,6 +36,12 @@ double WhitenedIndex::similarity(const GlobalDescriptor& query, FrameId frame) c
     return inner_->similarity(whitened(query), frame);
 }
 
+std::size_t WhitenedIndex::descriptor_bytes() const
+{
+    const auto own = descriptors_.empty() ? 0 : descriptors_.size() * descriptors_.front().size();
+    return inner_->descriptor_bytes() + own * sizeof(float);
+}
+
 GlobalDescriptor WhitenedIndex::whitened(const GlobalDescriptor& descriptor) const
 {
     if (!whitening_) return descriptor;

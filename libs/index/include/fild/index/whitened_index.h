@@ -34,6 +34,7 @@ class WhitenedIndex : public PlaceIndex
     std::vector<Candidate> search(const GlobalDescriptor& query, std::size_t count) const override;
     double similarity(const GlobalDescriptor& query, FrameId frame) const override;
     std::size_t size() const override { return frames_.size(); }
+    std::size_t descriptor_bytes() const override;
 
  private:
     GlobalDescriptor whitened(const GlobalDescriptor& descriptor) const;
