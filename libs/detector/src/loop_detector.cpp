@@ -197,7 +197,9 @@ std::optional<FrameId> LoopDetector::enqueue(const FrameDescription& description
         standstill_.add(description.frame, description.sensor_label, description.local, now_);
     if (stands_since) return stands_since;
     const double moving = standstill_.moving_seconds();
-    insert_released(queue_.push({description.frame, moving, description.global}), times);
+    insert_released(
+        queue_.push({description.frame, moving, description.global, description.sensor_label}),
+        times);
     return std::nullopt;
 }
 
@@ -365,8 +367,9 @@ void LoopDetector::check_consistency(const HashedFeatures& query,
         ask(belief_->states(), query, outcome, times);
     }
     else if (!verdict.accepted())
-        consistency_.add_unverified();
-    else if (!consistency_.add_verified(places_.at(verdict.candidate->frame).timestamp))
+        consistency_.add_unverified(verdict.sensor_label);
+    else if (!consistency_.add_verified(verdict.sensor_label,
+                                        places_.at(verdict.candidate->frame).timestamp))
         verdict.rejection = Rejection::not_consistent_yet;
 }
 
