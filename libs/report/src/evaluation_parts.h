@@ -29,7 +29,7 @@ std::string evaluation_tex(const EvaluationReport& report);
 
 /** The curves of all runs over inliers and over similarity, of a single run with thresholds, and
  *  where the runs themselves are. */
-Plot precision_recall_plot(const EvaluationReport& report);
+VectorPlot precision_recall_plot(const EvaluationReport& report);
 
 /** Contents of the CSV files. */
 std::string wrong_loops_csv(const EvaluationReport& report);

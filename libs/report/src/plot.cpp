@@ -12,9 +12,7 @@
 
 namespace fild
 {
-namespace
-{
-std::string escaped(const std::string& text)
+std::string xml_escaped(const std::string& text)
 {
     std::string safe;
     for (const char c : text)
@@ -22,6 +20,8 @@ std::string escaped(const std::string& text)
     return safe;
 }
 
+namespace
+{
 /** "#0072B2" */
 std::string hexadecimal(const PlotColour& colour)
 {
@@ -60,7 +60,8 @@ struct SvgWriter
         svg << "<text transform='translate(" << text.at.x << ' ' << text.at.y << ")"
             << (text.upwards ? " rotate(-90)" : "") << "' text-anchor='"
             << kAnchors.at(static_cast<std::size_t>(text.anchor)) << "' font-size='" << text.size
-            << "' fill='" << hexadecimal(text.colour) << "'>" << escaped(text.text) << "</text>\n";
+            << "' fill='" << hexadecimal(text.colour) << "'>" << xml_escaped(text.text)
+            << "</text>\n";
     }
 };
 
@@ -164,20 +165,20 @@ struct PngPainter
 };
 }  // namespace
 
-std::string Plot::svg() const
+std::string VectorPlot::svg() const
 {
     std::ostringstream svg;
     svg.imbue(std::locale::classic());
     svg << "<svg xmlns='http://www.w3.org/2000/svg' width='" << size_.width << "' height='"
         << size_.height << "' viewBox='0 0 " << size_.width << ' ' << size_.height
-        << "' font-family='sans-serif' font-size='14'>\n<title>" << escaped(title_)
+        << "' font-family='sans-serif' font-size='14'>\n<title>" << xml_escaped(title_)
         << "</title>\n<rect width='100%' height='100%' fill='#ffffff'/>\n";
     for (const auto& thing : things_) std::visit(SvgWriter{svg}, thing);
     svg << "</svg>\n";
     return svg.str();
 }
 
-std::string Plot::png() const
+std::string VectorPlot::png() const
 {
     cv::Mat picture(on_png({size_.width, size_.height}).y,
                     on_png({size_.width, size_.height}).x,

@@ -46,12 +46,15 @@ struct PlotText
     bool upwards = false;
 };
 
+/** The text with what means something in XML escaped. */
+std::string xml_escaped(const std::string& text);
+
 /** A drawing of few kinds of things that can be written as SVG and as PNG. Lengths are pixels of the
  *  SVG. Not thread-safe: one caller at a time. */
-class Plot
+class VectorPlot
 {
  public:
-    Plot(cv::Size2d size, std::string title) : size_(size), title_(std::move(title)) {}
+    VectorPlot(cv::Size2d size, std::string title) : size_(size), title_(std::move(title)) {}
 
     /** Draws over what was added before. */
     void add(std::variant<PlotLine, PlotDisc, PlotText> thing)

@@ -63,7 +63,7 @@ std::string shortened(const std::string& text)
     return text.size() <= kLongest ? text : "..." + text.substr(text.size() - kLongest + 3);
 }
 
-void draw_title(Plot& plot, const EvaluationReport& report)
+void draw_title(VectorPlot& plot, const EvaluationReport& report)
 {
     namespace fs = std::filesystem;
     const auto name = [](const std::string& path)
@@ -82,7 +82,7 @@ void draw_title(Plot& plot, const EvaluationReport& report)
                       Anchor::middle});
 }
 
-void draw_axes(Plot& plot)
+void draw_axes(VectorPlot& plot)
 {
     for (int i = 0; i <= 5; ++i)
     {
@@ -102,7 +102,7 @@ bool has_curve(const PrecisionRecallCurve& curve)
     return curve.has_loop_queries && !curve.points.empty();
 }
 
-void draw_curve(Plot& plot,
+void draw_curve(VectorPlot& plot,
                 const PrecisionRecallCurve& curve,
                 const CurveStyle& style,
                 double opacity)
@@ -116,7 +116,7 @@ void draw_curve(Plot& plot,
 }
 
 /** Thresholds at some points of a curve, far enough from each other to be read. */
-void draw_thresholds(Plot& plot, const PrecisionRecallCurve& curve, const CurveStyle& style)
+void draw_thresholds(VectorPlot& plot, const PrecisionRecallCurve& curve, const CurveStyle& style)
 {
     constexpr double kApart = 50;
     if (!has_curve(curve)) return;
@@ -136,7 +136,7 @@ void draw_thresholds(Plot& plot, const PrecisionRecallCurve& curve, const CurveS
     }
 }
 
-void draw_runs(Plot& plot, const EvaluationReport& report)
+void draw_runs(VectorPlot& plot, const EvaluationReport& report)
 {
     const double opacity = report.runs.size() > 1 ? 0.5 : 1;
     for (const auto& run : report.runs)
@@ -154,7 +154,7 @@ void draw_runs(Plot& plot, const EvaluationReport& report)
             plot.add(PlotDisc{{x_of(*recall), y_of(*run.score.precision())}, 5});
 }
 
-void draw_legend(Plot& plot, const EvaluationReport& report)
+void draw_legend(VectorPlot& plot, const EvaluationReport& report)
 {
     double y = kTop + kSide + 68;
     double x = kLeft;
@@ -173,9 +173,9 @@ void draw_legend(Plot& plot, const EvaluationReport& report)
 }
 }  // namespace
 
-Plot precision_recall_plot(const EvaluationReport& report)
+VectorPlot precision_recall_plot(const EvaluationReport& report)
 {
-    Plot plot({kWidth, kHeight}, "Precision and recall");
+    VectorPlot plot({kWidth, kHeight}, "Precision and recall");
     draw_title(plot, report);
     draw_axes(plot);
     draw_runs(plot, report);
