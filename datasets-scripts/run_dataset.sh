@@ -144,7 +144,7 @@ convert() {
 # usual one if that is set; TRUTH, and true poses beside labels, go into its report. The scores of an earlier run go, as its results do.
 images_dir=
 find_loops() {
-  rm -f "$output"/evaluation/*/{evaluation.{json,tex},precision_recall.svg} \
+  rm -f "$output"/evaluation/*/{evaluation.{json,tex},precision_recall.{svg,png}} \
     "$output"/evaluation/*/{wrong_loops,missed_loops,curve_inliers,curve_similarity,stretches,runs}.csv
   [ ! -d "$output/evaluation" ] || find "$output/evaluation" -depth -type d -empty -delete
   run_app rawlog-loop-closure --rawlog "$rawlog" --config "$config" --output "$output" \

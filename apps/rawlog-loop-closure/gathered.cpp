@@ -40,7 +40,7 @@ void Gathered::add(const DetectorOutcome& outcome)
     verdicts.push_back(verdict);
     depth_sources.push_back(outcome.depth_source);
     if (verdict.candidate)
-        pictures.add(outcome, verdicts.at(to_index(verdict.candidate->frame)).timestamp);
+        pictures.add(verdict, verdicts.at(to_index(verdict.candidate->frame)).timestamp);
 }
 
 void Gathered::commit_verdicts()

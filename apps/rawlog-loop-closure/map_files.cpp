@@ -14,6 +14,7 @@
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/poses/CPose3DQuat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -74,6 +75,12 @@ void write_poses(const Map& map, const std::string& path)
     csv.commit();
 }
 
+/** A frame whose verdict was lost to an error may have a pose: then there are more poses. */
+std::size_t frames_without_pose(const Map& map, std::size_t camera_frames)
+{
+    return camera_frames - std::min(camera_frames, map.trajectory.poses().size());
+}
+
 void write_trajectories(const Map& map,
                         const MappedRawlog& rawlog,
                         TrajectoryFormat format,
@@ -81,7 +88,7 @@ void write_trajectories(const Map& map,
                         std::vector<std::string>& notes)
 {
     const bool is_kitti = format == TrajectoryFormat::kitti;
-    const auto missing = rawlog.camera_frames - map.optimized.size();
+    const auto missing = frames_without_pose(map, rawlog.camera_frames);
     if (is_kitti && missing > 0)
     {
         notes.push_back("no trajectory files: " + count_of(missing, "frame") +
@@ -151,7 +158,7 @@ std::vector<std::string> write_map_files(const Map& map,
 MapSummary summary_of(const Map& map, std::size_t camera_frames, const TGraphOptions& options)
 {
     MapSummary summary;
-    summary.frames_without_pose = camera_frames - map.trajectory.poses().size();
+    summary.frames_without_pose = frames_without_pose(map, camera_frames);
     const auto& report = map.trajectory.report();
     summary.implausible_readings = report.implausible_readings;
     summary.trajectory = to_word(map.trajectory_source);

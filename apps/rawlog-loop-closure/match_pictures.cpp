@@ -3,6 +3,7 @@
 
 #include "fild/core/parallel_for.h"
 #include "fild/core/whole_file.h"
+#include "fild/detector/pair_verifier.h"
 #include "fild/rawlog/pose_conversion.h"
 #include "frame_pass.h"
 #include "interruption.h"
@@ -204,42 +205,26 @@ PairsToDraw::PairsToDraw(TRenderOptions render,
 {
 }
 
-void PairsToDraw::add(const DetectorOutcome& outcome, double candidate_timestamp)
+void PairsToDraw::add(const FrameVerdict& verdict, double candidate_timestamp)
 {
     if (!render_.enabled || render_.max_match_pictures == 0) return;
-    if (outcome.verdict.accepted())
-        closures_.push_back(to_loop_picture(outcome, candidate_timestamp));
-    else if (outcome.verdict.support > 0)
-        add_rejected(outcome, candidate_timestamp);
+    LoopPicture pair{verdict, candidate_timestamp};
+    pair.support_threshold = support_threshold_;
+    if (verdict.accepted())
+        closures_.push_back(std::move(pair));
+    else if (verdict.support > 0)
+        add_rejected(std::move(pair));
 }
 
-LoopPicture PairsToDraw::to_loop_picture(const DetectorOutcome& outcome,
-                                         double candidate_timestamp) const
-{
-    LoopPicture loop{outcome.verdict, candidate_timestamp, {}};
-    loop.support_threshold = support_threshold_;
-    auto inlier = outcome.inliers.begin();
-    for (std::size_t k = 0; k < outcome.matches.size(); ++k)
-    {
-        const bool is_inlier = inlier != outcome.inliers.end() && *inlier == k;
-        if (is_inlier) ++inlier;
-        if (is_inlier)
-            loop.inliers.push_back(outcome.matches[k]);
-        else if (render_.draw_rejected_matches)
-            loop.rejected.push_back(outcome.matches[k]);
-    }
-    return loop;
-}
-
-void PairsToDraw::add_rejected(const DetectorOutcome& outcome, double candidate_timestamp)
+void PairsToDraw::add_rejected(LoopPicture pair)
 {
     const auto place = std::upper_bound(rejected_.begin(),
                                         rejected_.end(),
-                                        outcome.verdict.support,
+                                        pair.verdict.support,
                                         [](double support, const LoopPicture& other)
                                         { return support > other.verdict.support; });
     if (place == rejected_.end() && rejected_.size() >= max_rejected_) return;
-    rejected_.insert(place, to_loop_picture(outcome, candidate_timestamp));
+    rejected_.insert(place, std::move(pair));
     if (rejected_.size() > max_rejected_) rejected_.pop_back();
 }
 
@@ -274,6 +259,36 @@ std::vector<LoopPicture> PairsToDraw::chosen(const std::set<FrameId>& wrong) con
               pairs.end(),
               [](const auto& a, const auto& b) { return a.verdict.frame < b.verdict.frame; });
     return pairs;
+}
+
+void add_matches(std::vector<LoopPicture>& pairs,
+                 const LoopDetector& detector,
+                 const TDetectorOptions& options,
+                 bool with_rejected)
+{
+    const PairVerifier verifier(options);
+    parallel_for(options.runtime.num_threads,
+                 pairs.size(),
+                 [&](std::size_t i)
+                 {
+                     auto& pair = pairs[i];
+                     const auto& query = detector.find_place(pair.verdict.frame)->local;
+                     const auto& candidate =
+                         detector.find_place(pair.verdict.candidate->frame)->local;
+                     StageTimes not_of_a_frame;
+                     const auto verified = verifier.verify(query, candidate, not_of_a_frame);
+                     const auto& inliers = verified.verification.inliers;
+                     for (std::size_t k = 0; k < verified.matches.size(); ++k)
+                     {
+                         const auto& match = verified.matches[k];
+                         const PixelPair pixels{query.positions[match.query],
+                                                candidate.positions[match.candidate]};
+                         if (std::binary_search(inliers.begin(), inliers.end(), k))
+                             pair.inliers.push_back(pixels);
+                         else if (with_rejected)
+                             pair.rejected.push_back(pixels);
+                     }
+                 });
 }
 
 void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const LoopDetector& detector)

@@ -23,7 +23,7 @@ struct LoopPicture
 {
     FrameVerdict verdict;
     double candidate_timestamp = 0;  ///< seconds since the UNIX epoch
-    std::vector<PixelPair> inliers;
+    std::vector<PixelPair> inliers{};
     std::vector<PixelPair> rejected{};  ///< the other matches, where they are drawn
     std::optional<CameraPair> cameras{};  ///< for a picture in 3D as well
     double support_threshold = 1;  ///< of an accepted frame
@@ -38,16 +38,16 @@ class PairsToDraw
      *  \param support_threshold  support from which frames are accepted: for captions. */
     PairsToDraw(TRenderOptions render, const TReportOptions& report, double support_threshold);
 
-    /** \param outcome  with a candidate. */
-    void add(const DetectorOutcome& outcome, double candidate_timestamp);
+    /** \param verdict  with a candidate. */
+    void add(const FrameVerdict& verdict, double candidate_timestamp);
 
-    /** In order of their queries. \param wrong  loop closures that come before all others. */
+    /** In order of their queries, without matches. \param wrong  loop closures that come before all
+     *  others. */
     std::vector<LoopPicture> chosen(const std::set<FrameId>& wrong = {}) const;
 
  private:
-    LoopPicture to_loop_picture(const DetectorOutcome& outcome, double candidate_timestamp) const;
     std::vector<std::size_t> chosen_closures(const std::set<FrameId>& wrong) const;
-    void add_rejected(const DetectorOutcome& outcome, double candidate_timestamp);
+    void add_rejected(LoopPicture pair);
 
     TRenderOptions render_;
     std::size_t max_rejected_;
@@ -55,6 +55,13 @@ class PairsToDraw
     std::vector<LoopPicture> closures_;
     std::vector<LoopPicture> rejected_;  ///< most support first
 };
+
+/** Matches the pairs anew, as the detector did: only the few that are drawn take memory for that.
+ *  \param options  of the detector, which has both frames of each pair. */
+void add_matches(std::vector<LoopPicture>& pairs,
+                 const LoopDetector& detector,
+                 const TDetectorOptions& options,
+                 bool with_rejected);
 
 /** Tells the pairs that are loops with a metric pose where their cameras stood.
  *  \param detector  that gave the map its loops. */

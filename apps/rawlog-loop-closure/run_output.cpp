@@ -171,9 +171,10 @@ void RunOutput::draw_matches()
 {
     const StageTimer timer(times_, "match_pictures");
     auto pairs = gathered_.pictures.chosen(wrong_frames());
+    const auto& detector = options_.stream.detector;
+    add_matches(pairs, stream_.detector(), detector, options_.render.draw_rejected_matches);
     if (map_ && options_.render.match_pictures_3d) add_cameras(pairs, *map_, stream_.detector());
-    const DrawnRawlog rawlog{
-        request_.rawlog, options_.stream.input, options_.stream.detector.runtime.num_threads};
+    const DrawnRawlog rawlog{request_.rawlog, options_.stream.input, detector.runtime.num_threads};
     summary_.match_pictures =
         draw_match_pictures(pairs, options_.render, rawlog, folder_.file("matches"));
     if (interrupted() && summary_.ended_early.empty()) summary_.ended_early = "interrupted";

@@ -3,6 +3,7 @@
 
 #include "fild/core/random.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -584,6 +585,64 @@ TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)
     EXPECT_EQ(detector.map_bytes(), 0U);
 }
 
+/** Places 0, 1, 2, ..., and those again, each seen by two cameras: LEFT a second after the place
+ *  before, RIGHT, which sees something else there, with a stamp that is a little older. Every second
+ *  outcome is one of LEFT. */
+std::vector<fild::DetectorOutcome> drive_with_two_cameras(const fild::TDetectorOptions& options,
+                                                          std::uint64_t places)
+{
+    fild::LoopDetector detector(options, kDimension);
+    fild::StageTimes times;
+    std::vector<fild::DetectorOutcome> outcomes;
+    for (std::uint64_t i = 0; i < 2 * places; ++i)
+        for (const bool is_left : {true, false})
+        {
+            auto view = view_of(10 + i % places + (is_left ? 0 : 1000), i < places ? 0 : 0.2);
+            view.frame = FrameId{outcomes.size()};
+            view.sensor_label = is_left ? "LEFT" : "RIGHT";
+            view.timestamp = 1000 + static_cast<double>(i) - (is_left ? 0 : 0.05);
+            outcomes.push_back(detector.process(std::move(view), times).front());
+        }
+    EXPECT_EQ(detector.clock_jumps(), 0U);
+    return outcomes;
+}
+
+/** The numbers of the outcomes that are loop closures. */
+std::vector<std::uint64_t> accepted(const std::vector<fild::DetectorOutcome>& outcomes)
+{
+    std::vector<std::uint64_t> frames;
+    for (const auto& outcome : outcomes)
+        if (outcome.verdict.accepted()) frames.push_back(to_index(outcome.verdict.frame));
+    return frames;
+}
+
+TEST(LoopDetector, DelaysEachOfTwoCamerasByTheSameTime)
+{
+    for (const double frame_rate : {0, 1})
+    {
+        auto options = options_with_delay(4);
+        options.index.frame_rate = frame_rate;
+        const auto outcomes = drive_with_two_cameras(options, 6);
+        for (const auto& outcome : outcomes)
+        {
+            const auto frame = to_index(outcome.verdict.frame);
+            const auto& candidate = outcome.verdict.candidate;
+            EXPECT_TRUE(!candidate || to_index(candidate->frame) / 2 + 4 <= frame / 2)
+                << frame_rate;
+            EXPECT_EQ(outcome.verdict.rejection == Rejection::too_early, frame < 8) << frame;
+        }
+        EXPECT_EQ(accepted(outcomes).size(), 12U);
+    }
+}
+
+TEST(LoopDetector, CountsTheFramesInARowOfEachCamera)
+{
+    auto options = options_with_delay(4);
+    options.consistency.consecutive_frames = 2;
+    EXPECT_THAT(accepted(drive_with_two_cameras(options, 6)),
+                testing::ElementsAre(14, 15, 16, 17, 18, 19, 20, 21, 22, 23));
+}
+
 TEST(LoopDetector, GoesOnWhenTheClockJumpsBack)
 {
     fild::LoopDetector detector(options_with_delay(2), kDimension);
@@ -682,6 +741,25 @@ TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)
     EXPECT_EQ(statistics.at("matching").calls, 2U);
     EXPECT_EQ(statistics.at("verification").calls, 2U);
     EXPECT_EQ(detector.map_bytes(), 3 * (kPoints * (8 + 32 + 8) + kDimension * 4));
+}
+
+// Whitening keeps the descriptors of the index as they came, too.
+TEST(LoopDetector, WeighsBothDescriptorsOfAWhitenedMap)
+{
+    auto options = options_with_delay(1);
+    options.index.whiten_from = 2;
+    fild::LoopDetector detector(options, kDimension);
+    fild::StageTimes times;
+    for (std::uint64_t i = 0; i < 4; ++i)
+    {
+        auto view = view_of(10 + i, 0);
+        view.frame = FrameId{i};
+        view.timestamp = static_cast<double>(i);
+        detector.process(std::move(view), times);
+    }
+    constexpr std::size_t kInIndex = 3;
+    EXPECT_EQ(detector.map_bytes(),
+              4 * kPoints * (8 + 32 + 8) + (2 * kInIndex + 1) * kDimension * 4);
 }
 
 /** Places in an order, with a stop of `stop` frames at the third of five; then the first again. */

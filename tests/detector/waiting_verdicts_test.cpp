@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace
@@ -94,6 +95,18 @@ TEST(WaitingVerdicts, CountFramesWhereTheDelayDoes)
     }
     verdicts.push(verdict_on(3, true), 300);
     EXPECT_EQ(due(verdicts), Frames{0});
+}
+
+TEST(WaitingVerdicts, CountTheFramesOfEachCamera)
+{
+    WaitingVerdicts verdicts(looking_ahead(0.3, 10));
+    for (std::uint64_t i = 0; i < 7; ++i)
+    {
+        auto waiting = verdict_on(i, true);
+        waiting.outcome.verdict.sensor_label = i % 2 == 0 ? "LEFT" : "RIGHT";
+        verdicts.push(std::move(waiting), 0);
+        EXPECT_EQ(due(verdicts), i < 6 ? Frames{} : (Frames{0, 1})) << i;
+    }
 }
 
 }  // namespace

@@ -11,10 +11,13 @@
 #include <mrpt/graphs/CNetworkOfPoses.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <opencv2/core.hpp>
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 namespace
 {
@@ -294,6 +297,39 @@ TEST(WriteSimpleMap, IsReadBackByMrpt)
     EXPECT_EQ(image->image.getExternalStorageFile(), "left.jpg");
     EXPECT_THROW(fild::write_simple_map("/no/such/folder/map.simplemap", graph, observations_at),
                  std::runtime_error);
+}
+
+/** Memory that this process has, bytes. */
+std::size_t resident_bytes()
+{
+    std::ifstream statistics("/proc/self/statm");
+    std::size_t pages = 0;
+    statistics >> pages >> pages;
+    return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+TEST(WriteSimpleMap, TakesTheMemoryOfOneKeyframeHoweverManyThereAre)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "a sanitizer keeps what was freed";
+#endif
+    const TemporaryFolder folder;
+    const auto graph = graph_of(std::vector<CPose3D>(200));
+    constexpr int kSide = 1000;
+    constexpr std::size_t kImage = std::size_t{kSide} * kSide;
+    std::vector<std::size_t> memory;
+    const auto observations_at = [&](FrameId frame)
+    {
+        const auto image = mrpt::obs::CObservationImage::Create(
+            fild::testing::image_at(static_cast<double>(to_index(frame))));
+        image->image.resize(kSide, kSide, mrpt::img::CH_GRAY);
+        image->image.asCvMatRef().setTo(cv::Scalar::all(static_cast<double>(to_index(frame))));
+        memory.push_back(resident_bytes());
+        return std::vector<std::shared_ptr<mrpt::obs::CObservation>>{image};
+    };
+    fild::write_simple_map(folder.path("map.simplemap"), graph, observations_at);
+    ASSERT_EQ(memory.size(), graph.nodes.size());
+    EXPECT_LT(memory.back(), memory[10] + 20 * kImage);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -23,7 +24,7 @@ std::vector<std::vector<std::uint64_t>> released(fild::DelayQueue queue,
     for (std::size_t i = 0; i < times.size(); ++i)
     {
         result.emplace_back();
-        for (const auto& entry : queue.push({fild::FrameId{i}, times[i], {}}))
+        for (const auto& entry : queue.push({fild::FrameId{i}, times[i], {}, "A"}))
             result.back().push_back(to_index(entry.frame));
     }
     return result;
@@ -48,6 +49,22 @@ TEST(DelayQueue, ReleasesByFramesWhateverTheTimesSay)
               (Releases{{}, {}, {}, {0}, {1}}));
 }
 
+// RIGHT takes turns with LEFT, and then says no more.
+TEST(DelayQueue, CountsTheFramesOfEachCamera)
+{
+    fild::DelayQueue queue(delay(2, 1));
+    Releases releases;
+    std::uint64_t frame = 0;
+    for (const std::string camera :
+         {"LEFT", "RIGHT", "LEFT", "RIGHT", "LEFT", "RIGHT", "LEFT", "LEFT"})
+    {
+        releases.emplace_back();
+        for (const auto& entry : queue.push({fild::FrameId{frame++}, 0, {}, camera}))
+            releases.back().push_back(to_index(entry.frame));
+    }
+    EXPECT_EQ(releases, (Releases{{}, {}, {}, {}, {0, 1}, {}, {2, 3}, {4, 5}}));
+}
+
 TEST(DelayQueue, NeverReleasesTheCurrentFrame)
 {
     EXPECT_EQ(released(fild::DelayQueue(delay(0)), {0, 0, 5}), (Releases{{}, {0}, {1}}));
@@ -56,8 +73,8 @@ TEST(DelayQueue, NeverReleasesTheCurrentFrame)
 TEST(DelayQueue, RefusesTimeThatGoesBackwards)
 {
     fild::DelayQueue queue(delay(1));
-    queue.push({fild::FrameId{0}, 5, {}});
-    EXPECT_THROW(queue.push({fild::FrameId{1}, 4.9, {}}), std::invalid_argument);
+    queue.push({fild::FrameId{0}, 5, {}, "A"});
+    EXPECT_THROW(queue.push({fild::FrameId{1}, 4.9, {}, "A"}), std::invalid_argument);
 }
 
 }  // namespace

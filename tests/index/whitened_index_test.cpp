@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -117,6 +118,53 @@ TEST(WhitenedIndex, AFrameIsMostSimilarToItself)
         EXPECT_NEAR(index->similarity(views[i], FrameId{i}), 1, 1e-4);
     }
     EXPECT_LT(index->similarity(views[0], FrameId{40}), 0.9);
+}
+
+/** Counts the insertions into all its like. */
+class CountedIndex : public fild::ExactIndex
+{
+ public:
+    explicit CountedIndex(std::size_t& insertions) : ExactIndex(kDimension), insertions_(insertions)
+    {
+    }
+
+    void insert(FrameId frame, const GlobalDescriptor& descriptor) override
+    {
+        ++insertions_;
+        ExactIndex::insert(frame, descriptor);
+    }
+
+ private:
+    std::size_t& insertions_;
+};
+
+// Filled at once, the index of a large map would hold up the recording for minutes.
+TEST(WhitenedIndex, FillsTheIndexOfALargeMapInSlices)
+{
+    constexpr std::size_t kLearns = 8192;
+    constexpr std::size_t kIsFilled = kLearns + kLearns / 4;
+    Street street(100);
+    fild::TIndexOptions options;
+    options.whiten_from = kLearns / 2;
+    std::size_t insertions = 0;
+    fild::WhitenedIndex index(options, [&] { return std::make_unique<CountedIndex>(insertions); });
+    const auto query = street.view_of(3);
+    double similarity = 0;
+    for (std::size_t i = 0; i <= kIsFilled; ++i)
+    {
+        insertions = 0;
+        index.insert(FrameId{i}, street.view_of(i % 100));
+        const auto size = index.size();
+        ASSERT_EQ(size, i + 1);
+        if (size > kLearns / 2)
+        {
+            ASSERT_LE(insertions, 6U) << size;
+        }
+        const auto now = index.similarity(query, FrameId{0});
+        const bool has_changed = now != std::exchange(similarity, now);
+        EXPECT_EQ(has_changed, size == 1 || size == kLearns / 2 || size == kIsFilled) << size;
+    }
+    EXPECT_EQ(index.search(query, kIsFilled).size(), kIsFilled);
 }
 
 TEST(WhitenedIndex, BearsDescriptorsThatAreAllAlike)

@@ -245,7 +245,7 @@ TEST(MapBuilder, FindsThatTheCamerasPoseLacksTheTurnToItsAxes)
 
 TEST(MapBuilder, FindsThatDepthsAndOdometryHaveOtherUnits)
 {
-    for (const float factor : {0.2F, 5.0F})
+    for (const float factor : {0.2F, 5.0F, 50.0F, 500.0F})
     {
         const auto agreement = agreement_of({true, true, true},
                                             [&](FrameDescription& frame)

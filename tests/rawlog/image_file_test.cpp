@@ -103,4 +103,43 @@ TEST(ReadImageFile, GivesNothingBeyondItsLimit)
     EXPECT_TRUE(read_image_file(folder.path("text.pgm"), 2));
 }
 
+/** What decoding a file prints, by whichever library. */
+std::string printed_while_reading(const std::string& path)
+{
+    testing::internal::CaptureStderr();
+    read_image_file(path);
+    return testing::internal::GetCapturedStderr();
+}
+
+/** A PNG with a chunk behind its header that libpng warns about: a gamma of 0. */
+std::string with_wrong_gamma(const std::string& png)
+{
+    constexpr std::size_t kHeaderEnd = 8 + 25;
+    const std::string length_and_name = {'\0', '\0', '\0', '\4', 'g', 'A', 'M', 'A'};
+    const std::string gamma_and_checksum = {'\0', '\0', '\0', '\0', '\x8B', '\x25', '\x60', '\x4D'};
+    return png.substr(0, kHeaderEnd) + length_and_name + gamma_and_checksum +
+           png.substr(kHeaderEnd);
+}
+
+TEST(ReadImageFile, KeepsWhatDecodersSayOfADamagedImage)
+{
+    const TemporaryFolder folder;
+    cv::Mat noise(48, 64, CV_8UC1);
+    cv::randu(noise, 0, 255);
+    cv::imwrite(folder.path("a.png"), noise);
+    cv::imwrite(folder.path("a.jpg"), noise);
+    auto damaged = read_text(folder.path("a.png"));
+    write_text(folder.path("gamma.png"), with_wrong_gamma(damaged));
+    damaged[damaged.size() / 2] ^= '\1';
+    write_text(folder.path("checksum.png"), damaged);
+    auto jpeg = read_text(folder.path("a.jpg"));
+    jpeg.replace(jpeg.size() / 2, 40, 40, '\x7F');
+    write_text(folder.path("damaged.jpg"), jpeg);
+    write_text(folder.path("no_size.pgm"), "P5\n0 0\n255\nabc");
+    EXPECT_TRUE(read_image_file(folder.path("gamma.png")));
+    EXPECT_FALSE(read_image_file(folder.path("checksum.png")));
+    for (const auto* name : {"gamma.png", "checksum.png", "damaged.jpg", "no_size.pgm"})
+        EXPECT_EQ(printed_while_reading(folder.path(name)), "") << name;
+}
+
 }  // namespace

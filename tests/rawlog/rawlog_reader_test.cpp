@@ -77,6 +77,23 @@ TEST(RawlogReader, GivesObservationsInOrderPlainAndGzipped)
     EXPECT_THAT(labels_in(folder.path("gz.rawlog")), ElementsAre("LEFT", "WHEELS", "RIGHT"));
 }
 
+TEST(RawlogReader, KeepsWhatDecodersSayOfADamagedImage)
+{
+    const TemporaryFolder folder;
+    cv::Mat noise(120, 160, CV_8UC3);
+    cv::randu(noise, 0, 255);
+    mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(false);  // as MRPT's recorders do
+    write_plain(folder.path("a.rawlog"), {image_observation(noise, 1)});
+    mrpt::img::CImage::DISABLE_JPEG_COMPRESSION(true);
+    auto bytes = read_text(folder.path("a.rawlog"));
+    ASSERT_NE(bytes.find("JFIF"), std::string::npos) << bytes.size();
+    bytes.replace(bytes.size() / 2, 40, 40, '\x7F');
+    write_text(folder.path("a.rawlog"), bytes);
+    testing::internal::CaptureStderr();
+    EXPECT_THAT(labels_in(folder.path("a.rawlog")), ElementsAre("CAMERA1"));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(RawlogReader, UnpacksSensoryFramesAndPassesOverActions)
 {
     const TemporaryFolder folder;

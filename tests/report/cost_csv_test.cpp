@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <sstream>
+#include <sys/resource.h>
 
 namespace
 {
@@ -47,9 +48,24 @@ TEST(CostCsv, HasWhatEachFrameAdded)
 
 TEST(ProcessMemory, IsAtMostItsPeak)
 {
-    const auto resident = fild::resident_memory_bytes();
+    const auto resident = fild::resident_memory_bytes().value();
     EXPECT_GT(resident, 100000U);
     EXPECT_GE(fild::peak_memory_bytes() * 11 / 10, resident);  // the kernel counts both coarsely
+}
+
+TEST(CostCsv, LeavesOutMemoryThatTheSystemDoesNotTell)
+{
+    const fild::testing::TemporaryFolder folder;
+    fild::CostCsv csv(folder.path("costs.csv"));
+    rlimit limit{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &limit), 0);
+    const rlimit none{0, limit.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+    csv.add(fild::FrameId{0}, {}, 1000);  // /proc/self/statm cannot be opened
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &limit), 0);
+    csv.commit();
+    EXPECT_THAT(fild::testing::read_text(folder.path("costs.csv")),
+                ::testing::EndsWith(",1000,\n"));
 }
 
 }  // namespace

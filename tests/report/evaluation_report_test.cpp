@@ -4,6 +4,8 @@
 #include "message_of.h"
 #include "temporary_folder.h"
 
+#include <opencv2/imgcodecs.hpp>
+
 #include <filesystem>
 
 namespace
@@ -81,19 +83,44 @@ TEST(EvaluationTex, IsATableOfValuesOrOfRanges)
                 AllOf(HasSubstr("{lrrr}"), HasSubstr("\nRecall & 0.625 & 0.500 & 0.750 \\\\\n")));
 }
 
-// The square of the plot goes from (70, 30) to (430, 390).
+// The square of the plot goes from (70, 70) to (430, 430).
 TEST(PrecisionRecallPlot, DrawsTheCurveAndTheRun)
 {
     const auto svg = written(report_of({run_of(4)}), "precision_recall.svg");
-    EXPECT_THAT(svg, HasSubstr("points='70,30 250,30 430,120'"));
-    EXPECT_THAT(svg, HasSubstr("<circle cx='340' cy='30'"));
+    EXPECT_THAT(svg, HasSubstr("points='70,70 250,70 430,160'"));
+    EXPECT_THAT(svg, HasSubstr("<circle cx='340' cy='70'"));
     EXPECT_THAT(svg, AllOf(HasSubstr(">recall<"), HasSubstr(">precision<")));
+}
+
+TEST(PrecisionRecallPlot, NamesRunTruthAndThresholds)
+{
+    auto named = report_of({run_of(4)});
+    named.runs.front().folder = "results/<one>/";
+    const auto svg = written(named, "precision_recall.svg");
+    EXPECT_THAT(
+        svg, AllOf(HasSubstr(">&lt;one&gt;, 4 frames<"), HasSubstr(">against loops.txt (exact)<")));
+    EXPECT_THAT(svg, AllOf(HasSubstr(">40<"), HasSubstr(">20<"))) << "inliers";
+    const auto several = written(report_of({run_of(4), run_of(4)}), "precision_recall.svg");
+    EXPECT_THAT(several, AllOf(HasSubstr(">2 runs, 4 frames<"), Not(HasSubstr(">40<"))));
+}
+
+TEST(PrecisionRecallPlot, IsAPngToo)
+{
+    const fild::testing::TemporaryFolder folder;
+    fild::write_evaluation(report_of({run_of(4)}), folder.path("out"));
+    const auto picture = cv::imread(folder.path("out/precision_recall.png"));
+    ASSERT_EQ(picture.size(), cv::Size(2 * 460, 2 * 540));
+    const auto at = [&](int x, int y) { return picture.at<cv::Vec3b>(2 * y, 2 * x); };
+    EXPECT_EQ(at(160, 70), cv::Vec3b(0xB2, 0x72, 0)) << "the curve";
+    EXPECT_EQ(at(340, 70), cv::Vec3b(0, 0, 0)) << "the run";
+    EXPECT_EQ(at(250, 300), cv::Vec3b(255, 255, 255));
 }
 
 TEST(PrecisionRecallPlot, SaysWhenThereIsNothingToDraw)
 {
-    EXPECT_THAT(written(report_of({fild::RunEvaluation()}), "precision_recall.svg"),
-                AllOf(HasSubstr("no loop query"), Not(HasSubstr("<polyline"))));
+    const auto svg = written(report_of({fild::RunEvaluation()}), "precision_recall.svg");
+    EXPECT_THAT(svg, HasSubstr("no loop query"));
+    EXPECT_EQ(svg.find("#0072B2"), svg.rfind("#0072B2")) << "only in the legend";
 }
 
 TEST(WriteEvaluation, NamesTheFolderThatItCannotMake)

@@ -370,6 +370,12 @@ TEST(HtmlReport, NamesTheFileThatIsMissingOrCutOff)
 
     write_text(run.path("costs.csv"), "frame,hashing_ms,map_bytes,resident_bytes\n0,1.5,");
     EXPECT_THAT(error_of(run), HasSubstr(run.path("costs.csv")));
+    std::string costs = "frame,hashing_ms\n";
+    for (int frame = 0; frame < 5000; ++frame) costs += std::to_string(frame) + ",1.5\n";
+    write_text(run.path("costs.csv"), costs + "5000,1.5,2\n");
+    EXPECT_THAT(error_of(run), HasSubstr("costs.csv line 5002"));
+    write_text(run.path("costs.csv"), costs + "5000,slow\n");
+    EXPECT_THAT(error_of(run), HasSubstr("costs.csv line 5002"));
     std::filesystem::remove(run.path("costs.csv"));
 
     std::filesystem::create_directories(run.path("matches"));

@@ -196,7 +196,9 @@ std::optional<FrameId> LoopDetector::enqueue(const FrameDescription& description
         standstill_.add(description.frame, description.sensor_label, description.local, now_);
     if (stands_since) return stands_since;
     const double moving = standstill_.moving_seconds();
-    insert_released(queue_.push({description.frame, moving, description.global}), times);
+    insert_released(
+        queue_.push({description.frame, moving, description.global, description.sensor_label}),
+        times);
     return std::nullopt;
 }
 
@@ -365,8 +367,9 @@ void LoopDetector::check_consistency(const HashedFeatures& query,
         ask(belief_->states(), query, outcome, times);
     }
     else if (!verdict.accepted())
-        consistency_.add_unverified();
-    else if (!consistency_.add_verified(places_.at(verdict.candidate->frame).timestamp))
+        consistency_.add_unverified(verdict.sensor_label);
+    else if (!consistency_.add_verified(verdict.sensor_label,
+                                        places_.at(verdict.candidate->frame).timestamp))
         verdict.rejection = Rejection::not_consistent_yet;
 }
 
@@ -462,10 +465,15 @@ const Place* LoopDetector::find_place(FrameId frame) const
     return found == places_.end() ? nullptr : &found->second;
 }
 
+std::size_t LoopDetector::map_bytes() const
+{
+    return feature_bytes_ + queue_.size() * global_dimension_ * sizeof(float) +
+           index_->descriptor_bytes();
+}
+
 void LoopDetector::remember(FrameDescription description, std::optional<FrameId> stands_since)
 {
-    map_bytes_ += bytes_of(description.local) + bytes_of(description.metric.depths) +
-                  description.global.size() * sizeof(float);
+    feature_bytes_ += bytes_of(description.local) + bytes_of(description.metric.depths);
     places_.emplace(description.frame,
                     Place{description.timestamp,
                           std::move(description.sensor_label),

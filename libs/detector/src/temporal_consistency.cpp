@@ -13,13 +13,14 @@ TemporalConsistency::TemporalConsistency(const TConsistencyOptions& options)
     options.check();
 }
 
-bool TemporalConsistency::add_verified(double candidate_time)
+bool TemporalConsistency::add_verified(const std::string& camera, double candidate_time)
 {
-    const double step = std::abs(candidate_time - last_candidate_time_);
+    auto& row = rows_[camera];
+    const double step = std::abs(candidate_time - row.last_candidate_time);
     const bool elsewhere = max_candidate_step_seconds_ > 0 && step > max_candidate_step_seconds_;
-    row_ = elsewhere ? 1 : row_ + 1;
-    last_candidate_time_ = candidate_time;
-    return row_ >= consecutive_frames_;
+    row.length = elsewhere ? 1 : row.length + 1;
+    row.last_candidate_time = candidate_time;
+    return row.length >= consecutive_frames_;
 }
 
 }  // namespace fild

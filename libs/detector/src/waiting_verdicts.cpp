@@ -15,20 +15,22 @@ WaitingVerdicts::WaitingVerdicts(const TDetectorOptions& options)
     : seconds_(options.consistency.look_ahead_seconds), counts_frames_(options.index.frame_rate > 0)
 {
     const double rate = counts_frames_ ? options.index.frame_rate : kMaxFrameRate;
-    max_frames_ = static_cast<std::size_t>(std::ceil(seconds_ * rate));
+    max_instants_ = static_cast<std::size_t>(std::ceil(seconds_ * rate));
 }
 
 void WaitingVerdicts::push(WaitingVerdict verdict, double now)
 {
-    frames_.push_back({std::move(verdict), now});
+    const auto instant = instants_.add(verdict.outcome.verdict.sensor_label);
+    frames_.push_back({std::move(verdict), now, instant});
 }
 
 bool WaitingVerdicts::oldest_is_due() const
 {
     if (frames_.empty()) return false;
     const auto& oldest = frames_.front();
-    if (!oldest.verdict.may_change || frames_.size() > max_frames_) return true;
-    return !counts_frames_ && frames_.back().time - oldest.time >= seconds_;
+    const auto& newest = frames_.back();
+    if (!oldest.verdict.may_change || newest.instant - oldest.instant >= max_instants_) return true;
+    return !counts_frames_ && newest.time - oldest.time >= seconds_;
 }
 
 WaitingVerdict WaitingVerdicts::pop()

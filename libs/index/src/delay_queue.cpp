@@ -16,22 +16,25 @@ DelayQueue::DelayQueue(const TIndexOptions& options)
 
 std::vector<DelayQueue::Entry> DelayQueue::push(Entry entry)
 {
-    if (!entries_.empty() && entry.time < entries_.back().time)
+    if (!entries_.empty() && entry.time < entries_.back().entry.time)
         throw std::invalid_argument("DelayQueue: time goes backwards");
-    entries_.push_back(std::move(entry));
+    const auto instant = instants_.add(entry.camera);
+    entries_.push_back({std::move(entry), instant});
     std::vector<Entry> released;
     while (entries_.size() > 1 && has_waited(entries_.front()))
     {
-        released.push_back(std::move(entries_.front()));
+        released.push_back(std::move(entries_.front().entry));
         entries_.pop_front();
     }
     return released;
 }
 
-bool DelayQueue::has_waited(const Entry& oldest) const
+bool DelayQueue::has_waited(const Waiting& oldest) const
 {
-    if (delay_frames_ > 0) return static_cast<double>(entries_.size() - 1) >= delay_frames_;
-    return entries_.back().time - oldest.time >= delay_seconds_;
+    const auto& newest = entries_.back();
+    if (delay_frames_ > 0)
+        return static_cast<double>(newest.instant - oldest.instant) >= delay_frames_;
+    return newest.entry.time - oldest.entry.time >= delay_seconds_;
 }
 
 }  // namespace fild

@@ -86,4 +86,9 @@ std::size_t HnswIndex::size() const
     return graph_->hnsw.cur_element_count;
 }
 
+std::size_t HnswIndex::descriptor_bytes() const
+{
+    return size() * graph_->dimension * sizeof(float);
+}
+
 }  // namespace fild

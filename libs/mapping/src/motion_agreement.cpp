@@ -71,10 +71,43 @@ RigidTransform camera_movement(const RigidTransform& robot, const RigidTransform
     return robot_from_camera.inverse() * robot * robot_from_camera;
 }
 
+/** A pose of any size of its error: with depths of a wrong scale both grow alike. */
+TDetectorOptions of_any_scale(const TDetectorOptions& options)
+{
+    constexpr double kLargestAllowed = 1000;  // m
+    auto changed = without_doubt(options);
+    changed.relative_pose.max_position_deviation_m = kLargestAllowed;
+    return changed;
+}
+
+/** Standard deviation of the length of a translation, m. */
+double length_deviation(const UncertainTransform& pose)
+{
+    const auto& t = pose.b_from_a.translation;
+    const double length = cv::norm(t);
+    if (!(length > 0)) return 0;
+    double variance = 0;
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column)
+            variance += t[row] * pose.covariance(row, column) * t[column];
+    return std::sqrt(std::max(variance, 0.0)) / length;
+}
+
+/** Length of a movement by the images, divided by that of the trajectory; nothing when the robot
+ *  stands still by both, or the images do not tell the length. */
+std::optional<double> length_ratio(const UncertainTransform& seen, double expected_way)
+{
+    constexpr double kNoise = 0.01;  // m
+    constexpr double kLargestDeviation = 0.25;  // of the length
+    const double seen_way = cv::norm(seen.b_from_a.translation);
+    const double way = std::max(seen_way, expected_way);
+    if (way < kLeastWay || length_deviation(seen) > kLargestDeviation * way) return std::nullopt;
+    return (seen_way + kNoise) / (expected_way + kNoise);
+}
+
 /** Nothing when the images tell no movement. */
 std::optional<Comparison> compare(const FramePair& pair, const PairPoses& poses, StageTimes& times)
 {
-    constexpr double kNoise = 0.01;  // m
     const auto& earlier = *pair.earlier;
     const auto& later = *pair.later;
     const auto pose =
@@ -88,10 +121,9 @@ std::optional<Comparison> compare(const FramePair& pair, const PairPoses& poses,
     comparison.direction_error_deg = direction_error(seen, expected);
     comparison.turned_direction_error_deg =
         direction_error(seen, camera_movement(pair.earlier_from_later, on_robot * camera_axes()));
-    const double seen_way = cv::norm(seen.translation);
-    const double expected_way = cv::norm(expected.translation);
-    if (pose.candidate_from_query && std::max(seen_way, expected_way) >= kLeastWay)
-        comparison.length_ratio = (seen_way + kNoise) / (expected_way + kNoise);
+    if (pose.candidate_from_query)
+        comparison.length_ratio =
+            length_ratio(*pose.candidate_from_query, cv::norm(expected.translation));
     return comparison;
 }
 
@@ -181,7 +213,7 @@ MotionAgreement compare_motions(const LoopDetector& detector,
     std::vector<FramePair> pairs;
     for (const auto i : spread_indices(kPairs, trajectory.poses().size()))
         if (const auto pair = pair_from(i, detector, trajectory)) pairs.push_back(*pair);
-    const PairPoses poses(without_doubt(options));
+    const PairPoses poses(of_any_scale(options));
     std::vector<std::optional<Comparison>> comparisons(pairs.size());
     timed_parallel_for(options.runtime.num_threads,
                        pairs.size(),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/rawlog/image_file.h"
 
+#include "fild/core/decoder_messages.h"
+
 #include <opencv2/imgcodecs.hpp>
 
 #include <filesystem>
@@ -104,6 +106,7 @@ std::optional<cv::Mat> read_image_file(const std::string& path, int max_megabyte
     const auto max_bytes = static_cast<std::size_t>(max_megabytes) << 20U;
     const auto bytes = read_bytes(path, max_bytes);
     if (bytes.empty() || !is_sound({bytes.data(), bytes.size()}, max_bytes)) return std::nullopt;
+    const WithoutDecoderMessages quiet;
     try
     {
         auto image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);

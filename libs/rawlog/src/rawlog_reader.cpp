@@ -2,6 +2,7 @@
 #include "fild/rawlog/rawlog_reader.h"
 
 #include "entry_process.h"
+#include "fild/core/decoder_messages.h"
 #include "fild/core/words.h"
 #include "gz_archive.h"
 #include "mrpt_reason.h"
@@ -174,6 +175,7 @@ bool RawlogReader::State::read_entry()
 
 CSerializable::Ptr RawlogReader::State::read_object(EntryBytes& bytes)
 {
+    const WithoutDecoderMessages quiet;
     try
     {
         return bytes.ReadObject();

@@ -167,9 +167,7 @@ void add_judgements(Legend& legend, const MapContent& map)
 /** What stands below the samples: numbers of the map. */
 void add_facts(Legend& legend, const MapContent& map)
 {
-    std::size_t frames = 0;
-    for (const auto& way : map.optimized) frames += way.size();
-    legend.add_text(count_of(frames, "frame") + ", " + in_metres(length_of(map.optimized)));
+    for (const auto& text : lengths_of(map)) legend.add_text(text);
     const double low = map.grid.height + map.shift[2];
     const double high = low + map.grid.climb;
     const auto in_decimetres = [](double z) { return to_text(std::round(10 * z) / 10); };
@@ -237,6 +235,17 @@ void label(cv::Mat& picture, const MapContent& map, const PictureView& view, Axi
     }
 }
 }  // namespace
+
+std::vector<std::string> lengths_of(const MapContent& map)
+{
+    std::size_t frames = 0;
+    for (const auto& way : map.optimized) frames += way.size();
+    std::vector<std::string> texts{count_of(frames, "frame"),
+                                   "path of " + in_metres(length_of(map.optimized))};
+    if (!map.ground_truth.empty())
+        texts.push_back("true path of " + in_metres(length_of({map.ground_truth})));
+    return texts;
+}
 
 void draw_legend(cv::Mat& picture, const MapContent& map, const std::string& title)
 {

@@ -83,9 +83,22 @@ function fillOptions() {
 const isLoop = (run, frame) => frame < frameCountOf(run) && !run.frames.rejection[frame];
 const onlyIn = side => runs[side].loops.filter(loop => !isLoop(runs[1 - side], loop.query));
 
+/** Loops of the ground truth that no run found; `run` is the one that has that truth. */
+function missedByBoth() {
+  const run = runs.find(one => one.truth);
+  return (run ? framesOfKind(run, 'missed') : []).filter(query => !runs.some(one => isLoop(one, query)))
+    .map(query => ({query, run, candidate: missedLoops(run).get(query).place})).filter(({candidate}) => known(candidate));
+}
+
+function missedSeries(missed) {
+  return {name: `missed by both (${missed.length})`, type: 'scatter', symbol: 'circle', symbolSize: 8, itemStyle: markStyle('missed'),
+          data: missed.map(({query, run, candidate}) => ({value: [candidate, query], run, query}))};
+}
+
 function drawLoops() {
   const common = runs[0].loops.filter(loop => isLoop(runs[1], loop.query));
-  if (!runs.some(run => run.loops.length)) return say(byId('loops-chart'), 'neither run found a loop closure');
+  const missed = missedByBoth();
+  if (!missed.length && !runs.some(run => run.loops.length)) return say(byId('loops-chart'), 'neither run found a loop closure');
   const series = (name, symbol, fill, loops, run) => ({
     name: `${name} (${loops.length})`, type: 'scatter', symbol, symbolSize: 7, itemStyle: {color: fill},
     data: loops.map(loop => ({value: [loop.candidate, loop.query], run, query: loop.query}))});
@@ -96,7 +109,8 @@ function drawLoops() {
     yAxis: {...frameAxis(frameCount), name: 'frame', nameGap: 44, inverse: true},
     series: [series('both', 'circle', '#7f7f7f', common, runs[1]),
              series(`only ${names[0]}`, 'triangle', sideColour(0), onlyIn(0), runs[0]),
-             series(`only ${names[1]}`, 'diamond', sideColour(1), onlyIn(1), runs[1])],
+             series(`only ${names[1]}`, 'diamond', sideColour(1), onlyIn(1), runs[1]),
+             ...(missed.length ? [missedSeries(missed)] : [])],
   }));
 }
 

@@ -43,7 +43,9 @@ void CostCsv::add(FrameId frame, const StageTimes& times, std::size_t map_bytes)
         out << ',' << total - totals_ms_[i];
         totals_ms_[i] = total;
     }
-    out << ',' << map_bytes << ',' << resident_memory_bytes() << '\n';
+    out << ',' << map_bytes << ',';
+    if (const auto resident = resident_memory_bytes()) out << *resident;
+    out << '\n';
 }
 
 }  // namespace fild

@@ -18,6 +18,10 @@ class CsvTable
     /** \throw std::runtime_error naming file and line: unreadable, or a row of another length. */
     explicit CsvTable(const std::string& path);
 
+    /** Of more rows only `max_rows`, at even distances: memory does not grow with the file.
+     *  \throw std::runtime_error as above, for all rows. */
+    CsvTable(const std::string& path, std::size_t max_rows);
+
     std::size_t rows() const { return rows_.size(); }
     const std::vector<std::string>& columns() const { return columns_; }
 
@@ -32,6 +36,7 @@ class CsvTable
     std::vector<std::string> columns_;
     std::map<std::string, std::size_t> positions_;
     std::vector<std::vector<std::string>> rows_;
+    std::vector<std::size_t> numbers_;  ///< of the rows in the file, from 0
 };
 
 }  // namespace fild

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "data_url.h"
 
+#include "fild/core/decoder_messages.h"
+
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -31,6 +33,12 @@ std::vector<unsigned char> bytes_of(const std::string& path)
     if (!file || bytes.empty()) throw std::runtime_error("cannot read " + path);
     return bytes;
 }
+
+cv::Mat read_picture(const std::string& path, int mode)
+{
+    const WithoutDecoderMessages quiet;
+    return cv::imread(path, mode);
+}
 }  // namespace
 
 std::string data_url_of_png(const std::string& path)
@@ -41,8 +49,8 @@ std::string data_url_of_png(const std::string& path)
 std::string data_url_of_picture(const std::string& path, int max_width_px)
 {
     constexpr double kWideEnough = 0.7;  // of max_width_px; half a picture is read in no time
-    auto picture = cv::imread(path, cv::IMREAD_REDUCED_COLOR_2);
-    if (picture.cols < kWideEnough * max_width_px) picture = cv::imread(path, cv::IMREAD_COLOR);
+    auto picture = read_picture(path, cv::IMREAD_REDUCED_COLOR_2);
+    if (picture.cols < kWideEnough * max_width_px) picture = read_picture(path, cv::IMREAD_COLOR);
     if (picture.empty()) throw std::runtime_error("cannot read the picture " + path);
     if (picture.cols > max_width_px)
     {

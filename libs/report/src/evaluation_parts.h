@@ -3,6 +3,7 @@
 
 #include "fild/evaluation/metric.h"
 #include "fild/report/evaluation_report.h"
+#include "plot.h"
 
 #include <string>
 #include <vector>
@@ -26,9 +27,9 @@ std::string evaluation_json(const EvaluationReport& report);
 /** The content of evaluation.tex: a table for LaTeX, package booktabs. */
 std::string evaluation_tex(const EvaluationReport& report);
 
-/** The content of precision_recall.svg: the curves of all runs over inliers and over similarity,
- *  and where the runs themselves are. */
-std::string precision_recall_svg(const EvaluationReport& report);
+/** The curves of all runs over inliers and over similarity, of a single run with thresholds, and
+ *  where the runs themselves are. */
+VectorPlot precision_recall_plot(const EvaluationReport& report);
 
 /** Contents of the CSV files. */
 std::string wrong_loops_csv(const EvaluationReport& report);

@@ -71,7 +71,9 @@ void write_evaluation(const EvaluationReport& report, const std::string& folder)
     write_text_file(path / "stretches.csv", stretches_csv(report));
     write_text_file(path / "runs.csv", runs_csv(report));
     write_text_file(path / "evaluation.tex", evaluation_tex(report));
-    write_text_file(path / "precision_recall.svg", precision_recall_svg(report));
+    const auto plot = precision_recall_plot(report);
+    write_text_file(path / "precision_recall.svg", plot.svg());
+    write_text_file(path / "precision_recall.png", plot.png());
     write_text_file(path / "evaluation.json", evaluation_json(report));
 }
 

@@ -2,19 +2,17 @@
 #include "fild/report/process_memory.h"
 
 #include <fstream>
-#include <stdexcept>
 #include <sys/resource.h>
 #include <unistd.h>
 
 namespace fild
 {
-std::size_t resident_memory_bytes()
+std::optional<std::size_t> resident_memory_bytes()
 {
     std::ifstream file("/proc/self/statm");
     std::size_t total_pages = 0;
     std::size_t resident_pages = 0;
-    if (!(file >> total_pages >> resident_pages))
-        throw std::runtime_error("cannot read /proc/self/statm");
+    if (!(file >> total_pages >> resident_pages)) return std::nullopt;
     return resident_pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 

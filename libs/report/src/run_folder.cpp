@@ -109,10 +109,10 @@ std::map<std::string, PosesOfFrames> read_trajectories(const RunFolder& run,
 Json costs_json(const std::string& path)
 {
     constexpr std::size_t kMostRows = 2000;
-    const CsvTable table(path);
+    const CsvTable table(path, kMostRows);
     Json json = {{"frame", Json::array()}, {"ms", Json::object()}};
     const std::string unit = "_ms";
-    for (const auto row : spread_indices(kMostRows, table.rows()))
+    for (std::size_t row = 0; row < table.rows(); ++row)
         for (const auto& column : table.columns())
         {
             const auto value = table.number(row, column);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "plot.h"
 #include "sweep_parts.h"
 
 #include <algorithm>
@@ -142,13 +143,6 @@ double round_up(double value)
     return 10 * power;
 }
 
-std::string escaped(const std::string& text)
-{
-    std::string out;
-    for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : std::string(1, c);
-    return out;
-}
-
 /** Draws one panel: where a mark stands is known here alone. */
 class Plot
 {
@@ -176,7 +170,8 @@ class Plot
         for (std::size_t i = 0; i < ticks_.size(); ++i)
             if (are_upright(ticks_))
                 svg_ << "<text transform='translate(" << x_of(i) + 5 << ' ' << below + 8
-                     << ") rotate(-90)' text-anchor='end'>" << escaped(ticks_[i]) << "</text>\n";
+                     << ") rotate(-90)' text-anchor='end'>" << xml_escaped(ticks_[i])
+                     << "</text>\n";
             else
                 text(x_of(i), below + 20, "middle", ticks_[i]);
         text(left_ + kPlotWidth / 2, below + height_of(ticks_) + 16, "middle", key);
@@ -213,7 +208,7 @@ class Plot
     void text(double x, double y, const char* anchor, const std::string& words)
     {
         svg_ << "<text x='" << x << "' y='" << y << "' text-anchor='" << anchor << "'>"
-             << escaped(words) << "</text>\n";
+             << xml_escaped(words) << "</text>\n";
     }
 
     std::ostream& svg_;
@@ -262,7 +257,7 @@ void draw_legend(std::ostream& svg, double top, const std::vector<Series>& all_s
         svg << "<line x1='" << kLeft << "' x2='" << kLeft + 30 << "' y1='" << y << "' y2='" << y
             << "' stroke-width='2.5' stroke='" << kColours.at(i % kColours.size())
             << "'/>\n<text x='" << kLeft + 38 << "' y='" << y + 5 << "'>"
-            << escaped(all_series[i].name) << "</text>\n";
+            << xml_escaped(all_series[i].name) << "</text>\n";
     }
 }
 }  // namespace

@@ -446,9 +446,9 @@ class ReportOfAnUnusualRun(PageTest):
 
 
 class Comparison(PageTest):
-    def compare(self, first, second):
+    def compare(self, first, second, *more):
         page = self.path("comparison.html")
-        subprocess.run([APP, "--compare", first, second, "--output", page], check=True, capture_output=True)
+        subprocess.run([APP, "--compare", first, second, "--output", page, *more], check=True, capture_output=True)
         return page
 
     def test_lays_two_runs_side_by_side(self):
@@ -462,6 +462,21 @@ class Comparison(PageTest):
         self.assertIn("Only in first: 80", self.browser.element("#only-first-title").text)
         self.assertGreater(self.browser.count("#only-first .pair figure img"), 0)
         self.assertIn("none", self.browser.element("#only-second").text)
+
+    def test_shows_the_loops_that_both_runs_miss(self):
+        folders = [self.path(f"missing_{seed}") for seed in (1, 2)]
+        for seed, folder in enumerate(folders, 1):
+            write_run(Drive(200, loops=False, seed=seed), folder)
+        truth = ["--ground-truth", os.path.join(folders[0], "truth.tum"), "--protocol", "radius:5"]
+        self.browser.open(self.compare(*folders, *truth))
+        self.expect_quiet()
+        missed = self.browser.run("""
+            const chart = echarts.getInstanceByDom(byId('loops-chart'));
+            return chart.getOption().series.filter(one => one.name.startsWith('missed')).map(one => one.data.length)""")
+        self.assertEqual(len(missed), 1)
+        self.assertGreater(missed[0], 0)
+        width = self.browser.run("return byId('loops-chart').offsetWidth / byId('loops-chart').parentElement.clientWidth")
+        self.assertGreater(width, 0.9)
 
     def test_of_a_run_with_itself_finds_no_difference(self):
         folder = self.path("same")

@@ -65,7 +65,8 @@ struct TConsistencyOptions : Options
     /** The verdict on a frame is given when the frames up to this many seconds of the recording later
      *  have been seen, and counts them, too: see PlaceSmoother. 0: at once. Needs the belief. */
     double look_ahead_seconds = 0;
-    int consecutive_frames = 2;  ///< beta: so many verified frames in a row, the last is accepted
+    /** beta: verified frames of a camera in a row; the last is accepted. */
+    int consecutive_frames = 2;
     /** Their candidates must follow one another within this many seconds of the recording, so that
      * a row cannot be made of different wrong places. 0: any candidates, as in the paper. */
     double max_candidate_step_seconds = 0;

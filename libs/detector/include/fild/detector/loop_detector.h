@@ -62,7 +62,7 @@ class LoopDetector
 
     /** Memory of codes, positions, depths and descriptors held for later frames, bytes; the links
      * of the HNSW graph (about 8 x links_per_node bytes a frame) not counted. */
-    std::size_t map_bytes() const { return map_bytes_; }
+    std::size_t map_bytes() const;
 
     /** How often a camera's time stamps jumped: RecordingClock::jumps(). */
     std::size_t clock_jumps() const { return clock_.jumps(); }
@@ -118,7 +118,7 @@ class LoopDetector
     WaitingVerdicts waiting_;
 
     std::unordered_map<FrameId, Place> places_;
-    std::size_t map_bytes_ = 0;
+    std::size_t feature_bytes_ = 0;  ///< of `places_`
     RecordingClock clock_;
     double now_ = 0;  ///< of the last usable frame, by the clock
     Standstill standstill_;

@@ -3,6 +3,7 @@
 
 #include "fild/detector/detector_options.h"
 #include "fild/detector/detector_outcome.h"
+#include "fild/index/instant_counter.h"
 
 #include <cstddef>
 #include <deque>
@@ -20,8 +21,8 @@ struct WaitingVerdict
 /** Holds verdicts back until the frames up to look_ahead_seconds later have been seen, and keeps
  *  their order: one that cannot change waits only for those before it.
  *
- *  With [index] frame_rate, frames are counted instead, as the delay does. At most 200 frames are
- *  waited for per second, so that a clock that stands still holds nothing back for ever.
+ *  With [index] frame_rate, frames are counted instead, as the delay does. At most 200 frames of a
+ *  camera are waited for per second, so that a clock that stands still holds nothing back for ever.
  *  Deterministic. Not thread-safe: one caller at a time. */
 class WaitingVerdicts
 {
@@ -44,11 +45,13 @@ class WaitingVerdicts
     {
         WaitingVerdict verdict;
         double time = 0;
+        std::size_t instant = 0;
     };
 
     double seconds_;
-    std::size_t max_frames_;  ///< that one waits for
+    std::size_t max_instants_;  ///< that one waits for
     bool counts_frames_;
+    InstantCounter instants_;
     std::deque<Frame> frames_;
 };
 

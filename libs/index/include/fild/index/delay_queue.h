@@ -4,8 +4,10 @@
 #include "fild/core/descriptors.h"
 #include "fild/core/verdict.h"
 #include "fild/index/index_options.h"
+#include "fild/index/instant_counter.h"
 
 #include <deque>
+#include <string>
 #include <vector>
 
 namespace fild
@@ -23,24 +25,32 @@ class DelayQueue
         FrameId frame{};
         double time = 0;  ///< seconds, never smaller than that of the entry before
         GlobalDescriptor descriptor;
+        std::string camera;  ///< its sensor label
     };
 
     /** Uses delay_seconds and frame_rate. */
     explicit DelayQueue(const TIndexOptions& options);
 
     /** Adds the current frame, then gives back, oldest first, the entries that have waited: those
-     * at least psi seconds (or psi x phi frames) older than it. \throw std::invalid_argument when
+     * at least psi seconds (or psi x phi frames of a camera) older than it. \throw std::invalid_argument when
      * entry.time is smaller than the last one's. */
     std::vector<Entry> push(Entry entry);
 
     std::size_t size() const { return entries_.size(); }
 
  private:
-    bool has_waited(const Entry& oldest) const;
+    struct Waiting
+    {
+        Entry entry;
+        std::size_t instant = 0;
+    };
+
+    bool has_waited(const Waiting& oldest) const;
 
     double delay_seconds_;
     double delay_frames_;  ///< 0: by time
-    std::deque<Entry> entries_;
+    InstantCounter instants_;
+    std::deque<Waiting> entries_;
 };
 
 }  // namespace fild

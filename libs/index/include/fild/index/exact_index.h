@@ -15,6 +15,7 @@ class ExactIndex : public PlaceIndex
     std::vector<Candidate> search(const GlobalDescriptor& query, std::size_t count) const override;
     double similarity(const GlobalDescriptor& query, FrameId frame) const override;
     std::size_t size() const override { return frames_.size(); }
+    std::size_t descriptor_bytes() const override { return descriptors_.size() * sizeof(float); }
 
  private:
     std::size_t dimension_;

@@ -21,6 +21,7 @@ class HnswIndex : public PlaceIndex
     std::vector<Candidate> search(const GlobalDescriptor& query, std::size_t count) const override;
     double similarity(const GlobalDescriptor& query, FrameId frame) const override;
     std::size_t size() const override;
+    std::size_t descriptor_bytes() const override;
 
  private:
     struct Graph;  // keeps hnswlib's headers in one .cpp

@@ -35,6 +35,9 @@ class PlaceIndex
     virtual double similarity(const GlobalDescriptor& query, FrameId frame) const = 0;
 
     virtual std::size_t size() const = 0;
+
+    /** Memory of descriptors, bytes. */
+    virtual std::size_t descriptor_bytes() const = 0;
 };
 
 /** The index that options.backend names, empty, for descriptors of `dimension` numbers. The seed

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace fild
@@ -19,7 +20,11 @@ class Whitening;
  *  Similarity is the cosine of the whitened descriptors, about 0 for unrelated places. It is learnt
  *  anew, and the inner index filled again, when the map has whiten_from frames and each time it has
  *  doubled since: on the whole twice the insertions, and once a doubling dimension^3 / 3
- *  multiplications. Before that it is the inner index as it is. Deterministic. */
+ *  multiplications. Before that it is the inner index as it is. Deterministic.
+ *
+ *  A map of more than 4096 frames is not filled again at once: each insertion then does five more,
+ *  and what was learnt counts when the map has a quarter more frames. It is learnt from at most 16384
+ *  frames, evenly over the map. */
 class WhitenedIndex : public PlaceIndex
 {
  public:
@@ -34,18 +39,27 @@ class WhitenedIndex : public PlaceIndex
     std::vector<Candidate> search(const GlobalDescriptor& query, std::size_t count) const override;
     double similarity(const GlobalDescriptor& query, FrameId frame) const override;
     std::size_t size() const override { return frames_.size(); }
+    std::size_t descriptor_bytes() const override;
 
  private:
+    /** An inner index and what its descriptors are whitened with. */
+    struct Learnt
+    {
+        std::unique_ptr<Whitening> whitening;
+        std::unique_ptr<PlaceIndex> inner;
+    };
+
     GlobalDescriptor whitened(const GlobalDescriptor& descriptor) const;
     void learn();
+    void fill_next(std::size_t insertions);
 
     MakeIndex make_inner_;
     std::size_t learn_at_;  ///< frames
     double shrinkage_;
     std::vector<FrameId> frames_;
     std::vector<GlobalDescriptor> descriptors_;  ///< as they came
-    std::unique_ptr<Whitening> whitening_;
-    std::unique_ptr<PlaceIndex> inner_;
+    Learnt current_;
+    std::optional<Learnt> next_;  ///< while it is filled
 };
 
 }  // namespace fild

@@ -26,7 +26,8 @@ class CostCsv
     /** \throw std::runtime_error as WholeFile. */
     explicit CostCsv(const std::string& path);
 
-    /** \param times  of the run so far: the row has what came since the call before.
+    /** resident_bytes is empty where the system does not tell.
+     *  \param times  of the run so far: the row has what came since the call before.
      *  \param map_bytes  held for later frames. */
     void add(FrameId frame, const StageTimes& times, std::size_t map_bytes);
 
