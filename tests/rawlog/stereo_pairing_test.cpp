@@ -419,6 +419,7 @@ TEST(StereoPairing, MakesFramesWithARightImage)
     EXPECT_EQ(frames[2].sensor_label, "LEFT");
     ASSERT_TRUE(frames[2].right);
     EXPECT_NEAR(frames[2].right->left_from_right.translation[0], 0.2, 1e-12);
+    EXPECT_NEAR(frames[2].right->seconds_later, kLater, 1e-6);
     EXPECT_TRUE(builder.ignored_camera_labels().empty());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/geometry/stereo_depths.h"
 
+#include "pair_motion.h"
 #include "patch_fit.h"
 #include "rectified_pair.h"
 #include "row_matches.h"
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace fild
 {
@@ -47,6 +50,44 @@ double depth_of(const RectifiedPair& pair, const cv::Point2d& pixel, double disp
                         1);
     return z * (pair.camera_from_rectified * ray)[2];
 }
+
+struct MatchedPair
+{
+    RectifiedPair pair;
+    std::vector<Match> matches;
+};
+
+std::vector<Match> matches_of(const RectifiedPair& pair,
+                              const HashedFeatures& left,
+                              const HashedFeatures& right,
+                              const TDepthOptions& options)
+{
+    const RowSearch search{options.max_row_error_px,
+                           pair.focal_px * pair.baseline_m / options.min_depth_m,
+                           options.stereo_ratio};
+    return match_on_rows(transformed(left.positions, pair.left_pixel_from_raw),
+                         left.codes,
+                         transformed(right.positions, pair.right_pixel_from_raw),
+                         right.codes,
+                         search);
+}
+
+/** Rectified, and matched on its rows, as the cameras were when they took the images. */
+MatchedPair matched_pair(const Frame& frame,
+                         const HashedFeatures& left,
+                         const HashedFeatures& right,
+                         const TDepthOptions& options)
+{
+    const auto& nominal = frame.right->left_from_right;
+    auto pair = rectified_pair(frame, nominal);
+    auto matches = matches_of(pair, left, right, options);
+    if (frame.right->seconds_later == 0) return {std::move(pair), std::move(matches)};
+    const auto moved = pose_of_moved_right(frame, left.positions, right.positions, matches);
+    if (!is_usable_baseline(moved)) return {std::move(pair), std::move(matches)};
+    pair = rectified_pair(frame, moved);
+    matches = matches_of(pair, left, right, options);
+    return {std::move(pair), std::move(matches)};
+}
 }  // namespace
 
 KeypointDepths depths_from_stereo(const Frame& frame,
@@ -63,15 +104,13 @@ KeypointDepths depths_from_stereo(const Frame& frame,
     depths.metres.assign(left.positions.size(), kNoDepth);
     depths.deviations_m.assign(left.positions.size(), kNoDepth);
 
-    const auto pair = rectified_pair(frame);
+    const auto matched = matched_pair(frame, left, right, options);
+    const auto& pair = matched.pair;
     const auto left_image = smooth(pair.left);
     const auto right_image = smooth(pair.right);
     const auto in_left = transformed(left.positions, pair.left_pixel_from_raw);
     const auto in_right = transformed(right.positions, pair.right_pixel_from_raw);
-    const RowSearch search{options.max_row_error_px,
-                           pair.focal_px * pair.baseline_m / options.min_depth_m,
-                           options.stereo_ratio};
-    for (const auto& match : match_on_rows(in_left, left.codes, in_right, right.codes, search))
+    for (const auto& match : matched.matches)
     {
         const auto& pixel = in_left[match.query];
         const double start = pixel.x - in_right[match.candidate].x;

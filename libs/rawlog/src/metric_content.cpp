@@ -5,6 +5,7 @@
 #include "depth_registration.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "fild/rawlog/pose_conversion.h"
+#include "paired_images.h"
 #include "range_image.h"
 #include "rectification.h"
 #include "robot_frame.h"
@@ -33,6 +34,13 @@ RigidTransform robot_from_camera_of(const CObservation& observation)
     if (const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation))
         return rigid_transform_from(robot_from_sensor + scan->relativePoseIntensityWRTDepth);
     return rigid_transform_from(robot_from_sensor);
+}
+
+/** How much later the right image was taken. */
+double seconds_later_in(const CObservationStereoImages& stereo)
+{
+    const auto* paired = dynamic_cast<const CPairedImages*>(&stereo);
+    return paired == nullptr ? 0 : paired->right_seconds_later;
 }
 
 /** True when each number of the range image belongs to the pixel at the same place. */
@@ -118,7 +126,8 @@ std::string MetricContent::add_right(Frame& frame,
     frame.right =
         RightView{undistorters_[frame.sensor_label].undistort(*image, *fitting, views.right),
                   views.right.camera,
-                  views.left_from_right};
+                  views.left_from_right,
+                  seconds_later_in(stereo)};
     return "";
 }
 

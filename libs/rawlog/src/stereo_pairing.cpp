@@ -7,10 +7,10 @@
 #include "fild/rawlog/camera_conversion.h"
 #include "pair_candidates.h"
 #include "pair_notes.h"
+#include "paired_images.h"
 #include "partner_search.h"
 
 #include <mrpt/obs/CObservationImage.h>
-#include <mrpt/obs/CObservationStereoImages.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -22,7 +22,6 @@ namespace
 {
 using mrpt::obs::CObservation;
 using mrpt::obs::CObservationImage;
-using mrpt::obs::CObservationStereoImages;
 using mrpt::poses::CPose3D;
 using mrpt::poses::CPose3DQuat;
 using Observations = StereoPairing::Observations;
@@ -43,14 +42,19 @@ std::string label_of(const CObservation& observation)
 CObservation::Ptr stereo_of(const ImagePair& pair, const SingleImage& right_camera)
 {
     if (!right_camera) return pair.left;
-    auto stereo = CObservationStereoImages::Create();
+    auto stereo = std::make_shared<CPairedImages>();
     stereo->sensorLabel = pair.left->sensorLabel;
     stereo->timestamp = pair.left->timestamp;
     stereo->imageLeft = pair.left->image;
     stereo->leftCamera = pair.left->cameraParams;
     stereo->cameraPose = CPose3DQuat(pair.left->cameraPose);
     stereo->hasImageRight = pair.right != nullptr;
-    if (pair.right) stereo->imageRight = pair.right->image;
+    if (pair.right)
+    {
+        stereo->imageRight = pair.right->image;
+        stereo->right_seconds_later = mrpt::Clock::toDouble(pair.right->timestamp) -
+                                      mrpt::Clock::toDouble(pair.left->timestamp);
+    }
     stereo->rightCamera = right_camera->cameraParams;
     stereo->rightCameraPose = CPose3DQuat(right_camera->cameraPose - pair.left->cameraPose);
     return stereo;
