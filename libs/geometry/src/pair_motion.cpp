@@ -18,7 +18,7 @@ namespace
 /** A rotation vector, and the movement ahead and aside, both across the baseline. */
 using Motion = cv::Vec<double, 5>;
 
-struct RayPair
+struct MatchedRays
 {
     cv::Vec3d left;
     cv::Vec3d right;
@@ -42,10 +42,10 @@ struct Across
 class EpipolarFit
 {
  public:
-    EpipolarFit(const Frame& frame, std::vector<RayPair> rays)
+    EpipolarFit(const Frame& frame, std::vector<MatchedRays> rays, double pixel_deviation)
         : nominal_(frame.right->left_from_right),
           across_(nominal_.translation),
-          focal_px_(frame.camera->fx),
+          lengths_(frame.camera->fx / pixel_deviation),
           rays_(std::move(rays))
     {
         const double seconds = std::abs(frame.right->seconds_later);
@@ -70,15 +70,15 @@ class EpipolarFit
                 nominal_.translation + motion[3] * across_.ahead + motion[4] * across_.aside};
     }
 
-    /** Pixels. */
-    double distance(const RayPair& rays, const cv::Matx33d& essential) const
+    /** From the epipolar line, as a multiple of the usual one. */
+    double distance(const MatchedRays& rays, const cv::Matx33d& essential) const
     {
         const auto line_left = essential * rays.right;
         const auto line_right = essential.t() * rays.left;
         const double scale =
             std::sqrt(line_left[0] * line_left[0] + line_left[1] * line_left[1] +
                       line_right[0] * line_right[0] + line_right[1] * line_right[1]);
-        return focal_px_ * rays.left.dot(line_left) / scale;
+        return lengths_ * rays.left.dot(line_left) / scale;
     }
 
     cv::Matx33d essential_at(const Motion& motion) const
@@ -90,7 +90,6 @@ class EpipolarFit
     /** Gauss-Newton, with weights for errors that spread as Cauchy's distribution. */
     Motion step_from(const Motion& motion) const
     {
-        constexpr double kPixel = 0.4;  // usual distance of a right match
         constexpr double kDifference = 1e-6;
         const auto here = essential_at(motion);
         std::array<cv::Matx33d, 5> beside;
@@ -110,12 +109,11 @@ class EpipolarFit
         }
         for (const auto& rays : rays_)
         {
-            const double error = distance(rays, here) / kPixel;
+            const double error = distance(rays, here);
             Motion slope;
             for (int k = 0; k < 5; ++k)
                 slope[k] =
-                    (distance(rays, beside.at(static_cast<std::size_t>(k))) / kPixel - error) /
-                    kDifference;
+                    (distance(rays, beside.at(static_cast<std::size_t>(k))) - error) / kDifference;
             const double weight = 1 / (1 + error * error);
             normal += weight * slope * slope.t();
             gradient += weight * error * slope;
@@ -125,8 +123,8 @@ class EpipolarFit
 
     RigidTransform nominal_;
     Across across_;
-    double focal_px_;
-    std::vector<RayPair> rays_;
+    double lengths_;  ///< in a focal length
+    std::vector<MatchedRays> rays_;
     Motion deviations_;  ///< of a robot that moves as robots do
 };
 }  // namespace
@@ -134,17 +132,18 @@ class EpipolarFit
 RigidTransform pose_of_moved_right(const Frame& frame,
                                    const std::vector<PixelPosition>& left,
                                    const std::vector<PixelPosition>& right,
-                                   const std::vector<Match>& matches)
+                                   const std::vector<Match>& matches,
+                                   double pixel_deviation)
 {
     constexpr std::size_t kEnough = 20;
     const auto& view = *frame.right;
     if (view.seconds_later == 0 || matches.size() < kEnough) return view.left_from_right;
-    std::vector<RayPair> rays;
+    std::vector<MatchedRays> rays;
     rays.reserve(matches.size());
     for (const auto& match : matches)
         rays.push_back({ray_through(*frame.camera, left[match.query]),
                         ray_through(view.camera, right[match.candidate])});
-    return EpipolarFit(frame, std::move(rays)).solve();
+    return EpipolarFit(frame, std::move(rays), pixel_deviation).solve();
 }
 
 }  // namespace fild

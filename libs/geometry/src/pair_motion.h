@@ -15,11 +15,13 @@ namespace fild
  *  \param frame  with a right view.
  *  \param left,right  pixels of the two images. \param matches  Match::query of left,
  *  Match::candidate of right; may hold wrong ones.
+ *  \param pixel_deviation  usual distance of a right match from its line.
  *  \return left_from_right; that of the frame when the images are of one moment, or the matches too
  *  few. Deterministic. */
 RigidTransform pose_of_moved_right(const Frame& frame,
                                    const std::vector<PixelPosition>& left,
                                    const std::vector<PixelPosition>& right,
-                                   const std::vector<Match>& matches);
+                                   const std::vector<Match>& matches,
+                                   double pixel_deviation);
 
 }  // namespace fild
