@@ -9,15 +9,17 @@ Finds the loop closures of PARKING-6L, of the Malaga 2009 data sets, and scores 
 
 Get PARKING-6L from https://www.mrpt.org/malaga_dataset_2009: the rawlog, with its images beside it,
 or the images alone. DATASET_FOLDER holds either
-  NAME.rawlog or NAME.rawlog.gz, and NAME_Images/   read as it is; of cameras *LEFT*, with the rawlog's
-                                                    own calibration
+  NAME.rawlog or NAME.rawlog.gz, and NAME_Images/   read as it is, both cameras as a stereo pair, with the
+                                                    rawlog's own calibration and poses
 or
   CAMERA_LEFT_1226322035.529528.jpg ...             3474 images of 1024x768 as they were recorded, not
                                                     the rectified ones; 7.5 a second, by their names
+  CAMERA_RIGHT_1226322035.533012.jpg ...            the right camera's, which need
+  calibration.txt                                   both cameras and the right one's pose, in the form of
+                                                    images-to-rawlog
 
-Images become a rawlog of the left camera, with the published calibration. Right images are not
-converted: the pair is not rectified, and a rawlog of pairs from images-to-rawlog must be. All frames are
-used. Configuration: config-ini/malaga_parking_6l.ini. OUTPUT_FOLDER is malaga_parking_6l-results.
+Without calibration.txt, images become a rawlog of the left camera alone, with the published calibration,
+which has no pose of the right camera. All frames are used. Configuration: config-ini/malaga_parking_6l.ini. OUTPUT_FOLDER is malaga_parking_6l-results.
 $rerun_help
 
 $loop_matrices_help
@@ -32,6 +34,7 @@ shopt -s nullglob
 rawlogs=("$dataset"/*.rawlog "$dataset"/*.rawlog.gz)
 shopt -u nullglob
 images=$(count_files "$dataset" 'CAMERA_LEFT_*.jpg')
+right_images=$(count_files "$dataset" 'CAMERA_RIGHT_*.jpg')
 if [ ${#rawlogs[@]} -gt 1 ]; then
   miss "$dataset holds ${#rawlogs[@]} rawlogs; leave one: ${rawlogs[*]##*/}"
 elif [ ${#rawlogs[@]} -eq 0 ] && [ "$images" -eq 0 ]; then
@@ -49,8 +52,13 @@ if [ ${#rawlogs[@]} -eq 1 ]; then
   name=$(basename "${rawlog%.gz}" .rawlog)
   [ ! -d "$dataset/${name}_Images" ] || images_dir=$dataset/${name}_Images
   echo "Malaga 2009 Parking 6L: ${rawlog##*/} as it is"
+elif [ -f "$dataset/calibration.txt" ]; then
+  echo "Malaga 2009 Parking 6L: $images of 3474 images, $right_images of the right camera"
+  convert malaga_parking_6l --format malaga --images "$dataset" --calib "$dataset/calibration.txt"
 else
   echo "Malaga 2009 Parking 6L: $images of 3474 images"
+  [ "$right_images" -eq 0 ] ||
+    echo "$self: $right_images right images are left out: their camera's pose is in no calibration.txt" >&2
   # Checked on an image: near the border a pillar of 200 pixels is bent by 2.2, with this by 0.2.
   write_calibration \
     "CAMERA_LEFT of Malaga 2009: Blanco, Moreno and Gonzalez, Autonomous Robots 27(4), 2009" \

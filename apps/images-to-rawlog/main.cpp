@@ -73,7 +73,7 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     // TCLAP's help shows the options from the last to the first.
     TCLAP::SwitchArg quiet("q", "quiet", "Print nothing unless something fails", command);
     TCLAP::SwitchArg embed("", "embed", "Pixels in the rawlog, not in NAME_Images/", command);
-    Text label("", "sensor-label", "Name of the camera", false, "CAMERA1", "NAME", command);
+    OptionalText label(command, "sensor-label", "Name of the camera: CAMERA1", "NAME");
     OptionalArg<double> scale(
         command, "depth-scale", "Depth units per metre: 1000, tum: 5000", "S");
     OptionalText depth(command, "depth", "Folder of 16-bit depth, paired by order", "DIR");
@@ -81,7 +81,7 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     OptionalText calibration(command,
                              "calib",
                              "File: fx fy cx cy width height [k1 k2 p1 p2 [k3]]; "
-                             "stereo: a second line, baseline METRES",
+                             "stereo: further lines, see the README",
                              "FILE");
     OptionalArg<double> rate(command, "rate", "Images per second, from time 0", "HZ");
     Text stamps(
@@ -104,7 +104,7 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     options.input.depth_dir = depth.get();
     options.input.depth_units_per_metre = scale.get();
     options.quiet = quiet.getValue();
-    options.output = {output.getValue(), label.getValue(), embed.getValue()};
+    options.output = {output.getValue(), label.get(), embed.getValue()};
     return options;
 }
 

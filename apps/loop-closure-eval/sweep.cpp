@@ -6,7 +6,7 @@
 #include "fild/core/words.h"
 #include "fild/detector/loop_detector.h"
 #include "fild/rawlog/frame_builder.h"
-#include "fild/rawlog/rawlog_reader.h"
+#include "fild/rawlog/paired_rawlog.h"
 #include "fild/stream/loop_closure_stream.h"
 #include "interruption.h"
 #include "progress_line.h"
@@ -101,7 +101,7 @@ void for_each_frame(const SweepRequest& request,
                     FrameBuilder& builder,
                     Use&& use)
 {
-    RawlogReader reader(request.rawlog, input.max_entry_megabytes);
+    PairedRawlog reader(request.rawlog, input);
     std::size_t frames = 0;
     while ((frames < request.max_frames || request.max_frames == 0) && !interrupted())
     {

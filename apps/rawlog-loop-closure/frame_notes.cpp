@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace fild
 {
@@ -58,17 +59,32 @@ std::string why_all_are_early(const std::vector<FrameVerdict>& verdicts, const T
            " s old; set it to less, or, where the time stamps are "
            "wrong, set [index] frame_rate";
 }
+
+/** Of a camera without which there is no pair, the pair's note is enough. */
+std::vector<std::string> notes_on_cameras(const RunSummary& summary, const StereoPairing& pairing)
+{
+    std::vector<std::string> notes;
+    std::set<std::string> noted;
+    for (const auto& [label, text] : pairing.notes())
+    {
+        notes.push_back(text);
+        noted.insert(label);
+    }
+    for (const auto& label : summary.ignored_camera_labels)
+        if (noted.count(label) == 0)
+            notes.push_back("camera " + label +
+                            " was not looked at; [input] sensor_label chooses cameras");
+    return notes;
+}
 }  // namespace
 
 std::vector<std::string> notes_on_frames(const Gathered& gathered,
-                                         const FrameBuilder& frames,
+                                         const LoopClosureStream& stream,
                                          const TIndexOptions& delay)
 {
     const auto& summary = gathered.summary;
-    std::vector<std::string> notes;
-    for (const auto& label : summary.ignored_camera_labels)
-        notes.push_back("camera " + label +
-                        " was not looked at; [input] sensor_label chooses cameras");
+    const auto& frames = stream.frames();
+    auto notes = notes_on_cameras(summary, stream.pairing());
     if (const auto missing = frames_with(Rejection::missing_image, summary); missing > 0)
         notes.push_back(count_of(missing, "image is", "images are") +
                         " missing or cannot be read, the first is " + frames.first_missing_image() +

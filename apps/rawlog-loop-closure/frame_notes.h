@@ -10,10 +10,10 @@
 
 namespace fild
 {
-/** For the user: frames that were passed over or changed, cameras that were not looked at or whose
- *  calibration does not fit, and why no frame could be a candidate. */
+/** For the user: frames that were passed over or changed, cameras that were not looked at, whose
+ *  calibration does not fit or that have no partner, and why no frame could be a candidate. */
 std::vector<std::string> notes_on_frames(const Gathered& gathered,
-                                         const FrameBuilder& frames,
+                                         const LoopClosureStream& stream,
                                          const TIndexOptions& delay);
 
 /** Why a run cannot find a loop: of several frames it could use one, or none. Empty: it could use

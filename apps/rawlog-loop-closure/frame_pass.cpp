@@ -2,7 +2,7 @@
 #include "frame_pass.h"
 
 #include "fild/rawlog/frame_builder.h"
-#include "fild/rawlog/rawlog_reader.h"
+#include "fild/rawlog/paired_rawlog.h"
 #include "interruption.h"
 
 #include <mrpt/obs/CObservation.h>
@@ -17,7 +17,7 @@ void for_each_frame(const std::string& rawlog,
                     const std::function<void(const Frame&)>& visit)
 {
     if (wanted.empty()) return;
-    RawlogReader reader(rawlog, input.max_entry_megabytes);
+    PairedRawlog reader(rawlog, input);
     FrameBuilder builder(input, rawlog);
     while (builder.next_id() <= *wanted.rbegin() && !interrupted())
     {

@@ -48,32 +48,79 @@ void take(const std::vector<DetectorOutcome>& outcomes, const Pass& pass)
     }
 }
 
-/** Feeds the rawlog to the stream until its end, the limit of frames or an interruption. */
-void read_frames(const RunRequest& request, RawlogReader& reader, const Pass& pass)
+/** Where a run is in its rawlog. */
+struct Progress
 {
-    ProgressLine progress(request.quiet, "loop closures");
-    std::size_t count = 0;
-    while (count != request.max_frames || count == 0)
+    const RunRequest& request;
+    ProgressLine line;
+    std::size_t frames = 0;
+
+    bool is_done() const { return frames == request.max_frames && frames != 0; }
+};
+
+/** Takes the frames that `more` gives, up to the limit of frames. */
+template <class More>
+void take_frames(std::optional<FedFrame> fed,
+                 const More& more,
+                 double fraction_read,
+                 Progress& progress,
+                 const Pass& pass)
+{
+    for (; fed; fed = more())
     {
-        throw_if_interrupted();
-        const auto [observation, actions] = reader.next_entry();
-        if (!observation && !actions) break;
-        if (actions) pass.map.feed(*actions);
-        if (!observation) continue;
-        pass.map.feed(*observation);
-        const auto fed = pass.stream.feed(*observation);
-        if (!fed) continue;
-        ++count;
+        ++progress.frames;
         pass.map.add_frame(fed->frame, fed->timestamp);
         pass.gathered.add_costs(fed->frame, pass.stream);
         take(fed->decided, pass);
+        const auto limit = progress.request.max_frames;
         const double of_limit =
-            request.max_frames == 0
-                ? 0
-                : static_cast<double>(count) / static_cast<double>(request.max_frames);
-        progress.update(
-            std::max(reader.fraction_read(), of_limit), count, pass.gathered.summary.loop_closures);
+            limit == 0 ? 0 : static_cast<double>(progress.frames) / static_cast<double>(limit);
+        progress.line.update(std::max(fraction_read, of_limit),
+                             progress.frames,
+                             pass.gathered.summary.loop_closures);
+        if (progress.is_done()) return;
+        throw_if_interrupted();
     }
+}
+
+/** Feeds the rawlog to the stream until its end, the limit of frames or an interruption. */
+void read_frames(RawlogReader& reader, Progress& progress, const Pass& pass)
+{
+    while (!progress.is_done())
+    {
+        throw_if_interrupted();
+        const auto [observation, actions] = reader.next_entry();
+        if (!observation && !actions) return;
+        if (actions) pass.map.feed(*actions);
+        if (!observation) continue;
+        pass.map.feed(*observation);
+        take_frames(
+            pass.stream.feed(*observation),
+            [&] { return pass.stream.next(); },
+            reader.fraction_read(),
+            progress,
+            pass);
+    }
+}
+
+/** As read_frames(), then the frames that wait for a partner: damage ends the recording too. */
+void read_all_frames(RawlogReader& reader, Progress& progress, const Pass& pass)
+{
+    const auto drain = [&]
+    {
+        const auto more = [&] { return pass.stream.drain(); };
+        if (!progress.is_done()) take_frames(more(), more, 1, progress, pass);
+    };
+    try
+    {
+        read_frames(reader, progress, pass);
+    }
+    catch (const TruncatedRawlog&)
+    {
+        drain();
+        throw;
+    }
+    drain();
 }
 
 /** \return what the step throws, as one line; empty: nothing. */
@@ -90,11 +137,12 @@ std::string error_of(const std::function<void()>& step)
     return "";
 }
 
-/** As read_frames(), then gives the verdicts that wait. An error after the first frame is returned:
+/** As read_all_frames(), then gives the verdicts that wait. An error after the first frame is returned:
  *  what came before is good. */
 std::string read_what_can_be_read(const RunRequest& request, RawlogReader& reader, const Pass& pass)
 {
-    auto ended_early = error_of([&] { read_frames(request, reader, pass); });
+    Progress progress{request, {request.quiet, "loop closures"}};
+    auto ended_early = error_of([&] { read_all_frames(reader, progress, pass); });
     const auto error_at_end = error_of([&] { take(pass.stream.finish(), pass); });
     if (ended_early.empty()) ended_early = error_at_end;
     const auto& summary = pass.gathered.summary;
@@ -106,6 +154,14 @@ std::string read_what_can_be_read(const RunRequest& request, RawlogReader& reade
     const auto wanted = label.empty() ? "" : " that matches [input] sensor_label='" + label + "'";
     throw std::runtime_error(request.rawlog + " has no camera observation" + wanted + "; " +
                              frames.describe_labels());
+}
+
+std::optional<PairSummary> summary_of(const std::optional<StereoPairReport>& pair)
+{
+    if (!pair) return std::nullopt;
+    const auto& labels = pair->labels;
+    return PairSummary{
+        labels.left, labels.right, pair->paired, pair->left_alone, pair->right_alone};
 }
 
 void print_result(const RunSummary& summary, const std::string& output)
@@ -179,7 +235,8 @@ void run_loop_closure(RunRequest request)
     summary.clock_jumps = stream.detector().clock_jumps();
     summary.scaled_frames = stream.frames().scaled_frames();
     summary.ignored_camera_labels = stream.frames().ignored_camera_labels();
-    summary.frame_notes = notes_on_frames(gathered, stream.frames(), options.stream.detector.index);
+    summary.stereo_pair = summary_of(stream.pairing().report());
+    summary.frame_notes = notes_on_frames(gathered, stream, options.stream.detector.index);
     RunOutput output(request, folder, stream, gathered);
     say_on_terminal(request.quiet, "making the map and the pictures");
     output.write_results(builder);

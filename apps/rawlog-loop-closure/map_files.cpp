@@ -5,8 +5,8 @@
 #include "fild/graph/graph_files.h"
 #include "fild/graph/trajectory_files.h"
 #include "fild/rawlog/frame_builder.h"
+#include "fild/rawlog/paired_rawlog.h"
 #include "fild/rawlog/pose_conversion.h"
-#include "fild/rawlog/rawlog_reader.h"
 #include "fild/report/pose_csv.h"
 #include "map_notes.h"
 
@@ -27,8 +27,7 @@ class FrameObservations
 {
  public:
     explicit FrameObservations(const MappedRawlog& rawlog)
-        : reader_(rawlog.path, rawlog.input.max_entry_megabytes),
-          builder_(rawlog.input, rawlog.path)
+        : reader_(rawlog.path, rawlog.input), builder_(rawlog.input, rawlog.path)
     {
     }
 
@@ -46,7 +45,7 @@ class FrameObservations
     }
 
  private:
-    RawlogReader reader_;
+    PairedRawlog reader_;
     FrameBuilder builder_;
 };
 

@@ -212,11 +212,15 @@ void RunOutput::note_sparse_depths()
         if (place->metric.depths.known() < least) ++sparse;
     }
     if (looked_at < kEnoughFrames || 2 * sparse < looked_at) return;
+    const auto& pair = summary_.stereo_pair;
+    const auto which = pair ? " of cameras '" + pair->left + "' and '" + pair->right + "'" : "";
     summary_.map.notes.push_back(
         std::to_string(sparse) + " of " + std::to_string(looked_at) +
         " frames have a depth for fewer than " + std::to_string(least) +
-        " keypoints: are left and right image swapped, or the pairs not rectified, or is all "
-        "further away than [depth] max_relative_deviation allows?");
+        " keypoints: are left and right image" + which +
+        " swapped, or their calibration or poses wrong, or is all further away than [depth] "
+        "max_relative_deviation allows?" +
+        (pair ? " [input] stereo_labels = none takes one camera" : ""));
 }
 
 /** Fills in all that is not counted frame by frame. */

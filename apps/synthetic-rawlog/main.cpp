@@ -77,7 +77,7 @@ std::optional<AppOptions> parse(int argc, char** argv)
                    "N",
                    command);
     Number frames("n", "frames", "Stop after so many frames", false, 1, "N", command);
-    std::vector<std::string> sensors{"mono", "stereo", "rgbd"};
+    std::vector<std::string> sensors{"mono", "stereo", "pair", "rgbd"};
     TCLAP::ValuesConstraint<std::string> known_sensors(sensors);
     Text sensor("", "sensor", "What the robot sees with", false, "stereo", &known_sensors, command);
     std::vector<std::string> presets{"tiny", "demo", "hard", "large"};

@@ -35,19 +35,31 @@ class FrameReader
 
     void read(const mrpt::obs::CObservation& observation)
     {
+        for (const auto& ready : pairing_.feed(observation)) read_ready(*ready);
+        if (!pairing_.takes(observation)) read_ready(observation);
+    }
+
+    void finish()
+    {
+        for (const auto& ready : pairing_.finish()) read_ready(*ready);
+    }
+
+ private:
+    void read_ready(const mrpt::obs::CObservation& observation)
+    {
         if (!builder_.accepts(observation)) return;
         const auto frame = builder_.build(observation);
         if (!std::isfinite(frame.timestamp)) throw Finding("a time stamp that is no number");
         if (frame.defect == Rejection::none) surf_.extract(frame.image);
     }
 
- private:
     static TInputOptions fitting(TInputOptions options, const std::string& rawlog)
     {
         options.images_dir = std::filesystem::path(rawlog).parent_path().string();
         return options;
     }
 
+    StereoPairing pairing_{TInputOptions()};
     FrameBuilder builder_;
     SurfExtractor surf_{TLocalFeatureOptions()};
 };
@@ -70,6 +82,7 @@ std::size_t read_entries(const std::string& path)
             map.feed(*entry.observation);
             frames.read(*entry.observation);
         }
+        frames.finish();
     }
     catch (const TruncatedRawlog& damage)
     {

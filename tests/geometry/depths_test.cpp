@@ -241,6 +241,38 @@ TEST(StereoDepths, AreExactForOneCameraAboveTheOther)
     expect_good(stereo_accuracy({cv::Matx33d::eye(), {0, 0.4, 0}}));
 }
 
+/** Drawn as the right camera stood 20 ms later, on a robot that drives and turns. */
+Accuracy accuracy_of_moved_pair(double seconds_later)
+{
+    const RigidTransform calibrated{cv::Matx33d::eye(), {0.4, 0, 0}};
+    const RigidTransform motion{fild::rotation_from_vector({0.002, -0.001, 0.003}), {0, 0, 0.12}};
+    DrawnPair pair(motion * calibrated);
+    const auto [left, right] = pair.features();
+    pair.frame().right->left_from_right = calibrated;
+    pair.frame().right->seconds_later = seconds_later;
+    return accuracy_of(depths_from_stereo(pair.frame(), left, right, TDepthOptions()),
+                       left.positions);
+}
+
+TEST(StereoDepths, FollowARobotThatMovesBetweenTheTwoImages)
+{
+    EXPECT_GT(accuracy_of_moved_pair(0).median_error, 0.05) << "as if of one moment";
+    const auto accuracy = accuracy_of_moved_pair(0.02);
+    EXPECT_LT(accuracy.median_error, 0.009) << "one plane, which tells little of a turn";
+    EXPECT_GT(accuracy.known_share, 0.8);
+}
+
+TEST(StereoDepths, AreAsGoodWhereTheTimeStampsDifferAndTheImagesDoNot)
+{
+    DrawnPair pair({cv::Matx33d::eye(), {0.4, 0, 0}});
+    const auto [left, right] = pair.features();
+    pair.frame().right->seconds_later = 0.004;
+    const auto accuracy =
+        accuracy_of(depths_from_stereo(pair.frame(), left, right, TDepthOptions()), left.positions);
+    EXPECT_LT(accuracy.median_error, 0.004);
+    EXPECT_GT(accuracy.known_share, 0.85);
+}
+
 TEST(StereoDepths, OfABlankWallAreUnknown)
 {
     DrawnPair pair({cv::Matx33d::eye(), {0.4, 0, 0}});

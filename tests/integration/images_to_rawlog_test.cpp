@@ -110,6 +110,15 @@ class ImagesToRawlog : public ::testing::Test
         return frames;
     }
 
+    /** Of all observations, each with a blank behind. */
+    std::string labels_of(const std::string& rawlog) const
+    {
+        fild::RawlogReader reader(folder_.path(rawlog));
+        std::string labels;
+        while (const auto observation = reader.next()) labels += observation->sensorLabel + " ";
+        return labels;
+    }
+
     /** What MRPT's rawlog-edit says of a rawlog, and which external images it finds named there. */
     std::string rawlog_edit(const std::string& rawlog) const
     {
@@ -280,16 +289,18 @@ TEST_F(ImagesToRawlog, WritesMalagaAndNewCollege)
 {
     draw("malaga/CAMERA_LEFT_1226322035.529528.jpg");
     draw("malaga/CAMERA_LEFT_1226322035.662892.jpg");
-    draw("malaga/CAMERA_RIGHT_1226322035.529528.jpg");
+    draw("malaga/CAMERA_RIGHT_1226322035.533012.jpg");
     draw("college/StereoImage__1225719815.864878-left.pnm", CV_8UC1);
     write_calibration("baseline 0.86\n");
     const auto malaga =
         run("--format malaga --images malaga --calib calib.txt --output malaga.rawlog");
-    EXPECT_EQ(malaga.out,
-              "malaga.rawlog: 1 frame of 2 images, in malaga_Images\n"
-              "left out: 1 left image without a right one\n")
-        << malaga.err;
-    EXPECT_EQ(frames_of("malaga.rawlog").size(), 1U);
+    EXPECT_EQ(malaga.out, "malaga.rawlog: 2 frames of 3 images, in malaga_Images\n") << malaga.err;
+    EXPECT_EQ(labels_of("malaga.rawlog"), "CAMERA_LEFT CAMERA_RIGHT CAMERA_LEFT ");
+    EXPECT_THAT(
+        error_of(
+            "--format malaga --images malaga --calib calib.txt --sensor-label A --output x.rawlog",
+            2),
+        HasSubstr("leave out --sensor-label"));
     const auto college = run("--format newcollege --images college --output college.rawlog");
     EXPECT_EQ(college.out, "college.rawlog: 1 frame of 1 image, in college_Images\n")
         << college.err;

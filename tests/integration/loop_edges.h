@@ -11,8 +11,8 @@
 #include "fild/matching/code_hasher.h"
 #include "fild/matching/code_matcher.h"
 #include "fild/rawlog/frame_builder.h"
+#include "fild/rawlog/paired_rawlog.h"
 #include "fild/rawlog/pose_conversion.h"
-#include "fild/rawlog/rawlog_reader.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation.h>
@@ -82,7 +82,7 @@ inline KeptFrame kept(const Frame& frame, const Describer& describer)
 /** All frames of a rawlog's camera. */
 inline std::vector<KeptFrame> read_frames(const std::string& rawlog)
 {
-    RawlogReader reader(rawlog);
+    PairedRawlog reader(rawlog, {});
     FrameBuilder builder(TInputOptions(), rawlog, FrameContent::metric);
     const Describer describer;
     std::vector<KeptFrame> frames;

@@ -14,6 +14,7 @@
 #include <mrpt/graphs/CNetworkOfPoses.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationStereoImages.h>
 #include <mrpt/opengl/COpenGLScene.h>
@@ -21,6 +22,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -297,6 +299,186 @@ TEST_F(MetricMap, SaysThatDepthsAndOdometryContradictEachOther)
     run_well();
     EXPECT_THAT(notes(), HasSubstr("'ODOMETRY' tells no movement"));
     EXPECT_THAT(notes(), HasSubstr("times as long"));
+}
+
+/** The stereo pairs as two cameras record them. */
+struct SplitDrive
+{
+    double later = 0.004;  ///< the right image's time stamp
+    std::function<void(mrpt::obs::CObservationImage&)> change = [](auto&) {};
+
+    Objects objects(const WallDrive& drive = {}) const
+    {
+        Objects objects;
+        for (const auto& object : drive.objects())
+        {
+            const auto pair =
+                std::dynamic_pointer_cast<mrpt::obs::CObservationStereoImages>(object);
+            if (!pair)
+            {
+                objects.push_back(object);
+                continue;
+            }
+            const mrpt::poses::CPose3D left_pose(pair->cameraPose);
+            add(*pair, "CAMERA_LEFT", pair->imageLeft, left_pose, 0, objects);
+            add(*pair,
+                "CAMERA_RIGHT",
+                pair->imageRight,
+                left_pose + mrpt::poses::CPose3D(pair->rightCameraPose),
+                later,
+                objects);
+        }
+        return objects;
+    }
+
+ private:
+    void add(const mrpt::obs::CObservationStereoImages& pair,
+             const std::string& label,
+             const mrpt::img::CImage& pixels,
+             const mrpt::poses::CPose3D& pose,
+             double seconds,
+             Objects& objects) const
+    {
+        auto image = mrpt::obs::CObservationImage::Create();
+        image->sensorLabel = label;
+        image->image = pixels;
+        image->cameraParams = pair.leftCamera;
+        image->cameraPose = pose;
+        image->timestamp = mrpt::Clock::fromDouble(mrpt::Clock::toDouble(pair.timestamp) + seconds);
+        change(*image);
+        if (!image->sensorLabel.empty()) objects.push_back(image);
+    }
+};
+
+/** Two cameras instead of the stereo camera. */
+class TwoCameras : public MetricMap
+{
+ protected:
+    void write(const SplitDrive& split, const WallDrive& drive = {}) const
+    {
+        fild::testing::write_gz(path("run.rawlog"), split.objects(drive));
+    }
+
+    nlohmann::json frames() const
+    {
+        return nlohmann::json::parse(result("summary.json"))["frames"];
+    }
+
+    /** Runs and gives the only note on the frames. */
+    std::string note_of_run(const std::string& more = "") const
+    {
+        run_well(more);
+        const auto notes = frames()["notes"];
+        EXPECT_EQ(notes.size(), 1U) << notes;
+        return notes.dump();
+    }
+};
+
+TEST_F(TwoCameras, MakeTheMapOfAStereoCamera)
+{
+    for (const bool odometry : {true, false})
+    {
+        WallDrive drive;
+        drive.odometry = odometry;
+        write({}, drive);
+        run_well();
+        for (const auto& name : kMapFiles) EXPECT_TRUE(has(name)) << name;
+        EXPECT_EQ(loops().size(), kFramesPerLap);
+        EXPECT_EQ(map()["loop_edges"], kFramesPerLap);
+        EXPECT_TRUE(frames()["notes"].empty()) << frames()["notes"];
+        const auto pair = frames()["stereo_pair"];
+        EXPECT_EQ(pair["left"], "CAMERA_LEFT");
+        EXPECT_EQ(pair["right"], "CAMERA_RIGHT");
+        EXPECT_EQ(pair["frames_with_right_image"], 2 * kFramesPerLap);
+        EXPECT_EQ(pair["frames_without"], 0);
+    }
+}
+
+TEST_F(TwoCameras, KeepTheFramesToTheLimit)
+{
+    write({});
+    run_well("--max-frames 5");
+    EXPECT_EQ(frames()["camera_frames"], 5);
+    EXPECT_EQ(lines_of(result("frames.csv")).size(), 6U);
+}
+
+TEST_F(TwoCameras, StandAloneWhereThePairIsSwitchedOff)
+{
+    write({});
+    EXPECT_THAT(note_of_run("--set input.stereo_labels=none"),
+                HasSubstr("camera CAMERA_RIGHT was not looked at"));
+    EXPECT_TRUE(frames()["stereo_pair"].is_null());
+    EXPECT_EQ(map()["depth_sources"].count("stereo"), 0U);
+}
+
+TEST_F(TwoCameras, AreRefusedByNamesInTheWrongOrder)
+{
+    write({});
+    const auto finished = run("--set input.stereo_labels=CAMERA_RIGHT,CAMERA_LEFT");
+    EXPECT_EQ(finished.exit_code, 1);
+    EXPECT_THAT(finished.err, HasSubstr("set [input] stereo_labels = CAMERA_LEFT,CAMERA_RIGHT"));
+}
+
+TEST_F(TwoCameras, OneOfWhichStopsGiveFramesWithoutDepth)
+{
+    std::size_t rights = 0;
+    SplitDrive split;
+    split.change = [&](mrpt::obs::CObservationImage& image)
+    {
+        if (image.sensorLabel == "CAMERA_RIGHT" && ++rights > 4) image.sensorLabel.clear();
+    };
+    write(split);
+    EXPECT_THAT(note_of_run(),
+                AllOf(HasSubstr("camera 'CAMERA_RIGHT' ends"), HasSubstr("the last 12 frames")));
+    EXPECT_EQ(frames()["stereo_pair"]["frames_without"], 12);
+    EXPECT_EQ(map()["depth_defects"]["missing_right_image"], 12);
+}
+
+TEST_F(TwoCameras, OfWhichOneIsNotCalibratedStandAlone)
+{
+    SplitDrive split;
+    split.change = [](mrpt::obs::CObservationImage& image)
+    {
+        if (image.sensorLabel == "CAMERA_RIGHT") image.cameraParams = {};
+    };
+    write(split);
+    EXPECT_THAT(note_of_run(), HasSubstr("camera 'CAMERA_RIGHT' is not calibrated"));
+}
+
+TEST_F(TwoCameras, InOnePlaceStandAlone)
+{
+    SplitDrive split;
+    split.change = [](mrpt::obs::CObservationImage& image)
+    { image.cameraPose = mrpt::poses::CPose3D(0, 0, 1, 0, 0, -CV_PI / 2); };
+    write(split);
+    EXPECT_THAT(note_of_run(), HasSubstr("'CAMERA_LEFT' and 'CAMERA_RIGHT' are in one place"));
+}
+
+TEST_F(TwoCameras, WhoseTimeStampsDifferTooMuchStandAlone)
+{
+    SplitDrive split;
+    split.later = 0.05;
+    write(split);
+    const auto note = note_of_run();
+    EXPECT_THAT(note, HasSubstr("set [input] stereo_tolerance_seconds = 0.06"));
+    run_well("--set input.stereo_tolerance_seconds=0.06");
+    EXPECT_EQ(map()["loop_edges"], kFramesPerLap);
+}
+
+TEST_F(TwoCameras, ThatAreSwappedBendNoMap)
+{
+    WallDrive drive;
+    drive.change = [](mrpt::obs::CObservation& seen)
+    {
+        auto& pair = dynamic_cast<mrpt::obs::CObservationStereoImages&>(seen);
+        std::swap(pair.imageLeft, pair.imageRight);
+    };
+    write({}, drive);
+    run_well();
+    EXPECT_THAT(
+        notes(),
+        HasSubstr("are left and right image of cameras 'CAMERA_LEFT' and 'CAMERA_RIGHT' swapped"));
+    EXPECT_EQ(map()["loop_edges"], 0);
 }
 
 TEST_F(MetricMap, SaysThatLeftAndRightMayBeSwapped)
@@ -603,6 +785,12 @@ class TownMap : public MetricMap
         request.rawlog_path = path("run.rawlog");
         request.options = fild::options_of(fild::Preset::tiny);
         request.options.sensors.sensor = sensor;
+        if (sensor == fild::SensorKind::pair)
+        {
+            request.options.sensors.toe_in_deg = 2;
+            request.options.sensors.lens_k1 = -0.28;
+            request.options.sensors.lens_k2 = 0.07;
+        }
         request.options.route.frames_per_second = odometry ? 1.5 : 3;
         if (!odometry)
         {
@@ -638,6 +826,37 @@ TEST_F(TownMap, OfAStereoCameraIsTakenByGraphSlam)
     mrpt::graphs::CNetworkOfPoses3D graph;
     graph.loadFromTextFile(path("slam.graph"));
     EXPECT_EQ(graph.nodeCount(), map()["nodes"].get<std::size_t>());
+}
+
+/** Distance between two poses of a file in TUM's format. */
+double metres_between(const std::string& text, std::size_t from, std::size_t to)
+{
+    const auto lines = lines_of(text);
+    const auto position = [&](std::size_t i)
+    {
+        std::istringstream words(lines.at(i));
+        double seconds = 0;
+        std::array<double, 3> p{};
+        words >> seconds >> p[0] >> p[1] >> p[2];
+        return p;
+    };
+    const auto a = position(from);
+    const auto b = position(to);
+    return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+TEST_F(TownMap, OfTwoBentCamerasThatAreTurnedInNeedsNoOdometry)
+{
+    draw(fild::SensorKind::pair, false);
+    run_well();
+    const auto pair = nlohmann::json::parse(result("summary.json"))["frames"]["stereo_pair"];
+    EXPECT_EQ(pair["frames_with_right_image"], frames());
+    EXPECT_EQ(map()["trajectory"], "vision");
+    EXPECT_EQ(map()["parts"], (std::vector<std::size_t>{frames()}));
+    const auto last = frames() - 1;
+    const double truth = metres_between(read_text(path("run.gt.tum")), 0, last);
+    const double found = metres_between(result("trajectory_optimized.tum"), 0, last);
+    EXPECT_NEAR(found / truth, 1, 0.02) << found << " m of " << truth;
 }
 
 TEST_F(TownMap, OfADepthCameraNeedsNoOdometry)

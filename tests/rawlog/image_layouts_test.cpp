@@ -266,24 +266,22 @@ TEST(MalagaLayout, TakesTimesFromNames)
     EXPECT_THAT(recording.left_out, IsEmpty());
 }
 
-TEST(MalagaLayout, PairsImagesOfTheSameTime)
+TEST(MalagaLayout, KeepsTheTwoCamerasApart)
 {
     const TemporaryFolder folder;
     make_files(folder,
                {"CAMERA_LEFT_1.5.jpg",
-                "CAMERA_LEFT_2.5.jpg",
                 "CAMERA_LEFT_10.5.jpg",
-                "CAMERA_RIGHT_1.5.jpg",
-                "CAMERA_RIGHT_10.5.jpg",
-                "CAMERA_RIGHT_11.5.jpg",
-                "CAMERA_RIGHT_12.5.jpg"});
+                "CAMERA_RIGHT_1.504.jpg",
+                "CAMERA_RIGHT_10.498.jpg",
+                "CAMERA_RIGHT_11.5.jpg"});
     const auto recording = fild::read_malaga_layout(folder.path(), calibration(0.86));
     ASSERT_EQ(recording.frames.size(), 2U);
-    EXPECT_EQ(name_of(recording.frames[1].image), "CAMERA_LEFT_10.5.jpg");
-    EXPECT_EQ(name_of(*recording.frames[1].right), "CAMERA_RIGHT_10.5.jpg");
-    EXPECT_THAT(
-        recording.left_out,
-        ElementsAre("1 left image without a right one", "2 right images without a left one"));
+    EXPECT_FALSE(recording.frames[1].right);
+    ASSERT_EQ(recording.right_camera.size(), 3U);
+    EXPECT_EQ(name_of(recording.right_camera[1]), "CAMERA_RIGHT_10.498.jpg");
+    EXPECT_EQ(recording.right_camera[1].seconds, 10.498);
+    EXPECT_TRUE(recording.calibration);
 }
 
 TEST(MalagaLayout, SaysWhatIsWrong)
@@ -295,8 +293,6 @@ TEST(MalagaLayout, SaysWhatIsWrong)
     make_files(folder, {"img_0001.jpg", "img_0002.jpg"});
     EXPECT_THAT(error(), HasSubstr("holds img_0001.jpg"));
     make_files(folder, {"CAMERA_LEFT_1.5.jpg", "CAMERA_RIGHT_1.6.jpg"});
-    EXPECT_THAT(error(),
-                AllOf(HasSubstr("CAMERA_LEFT_1.5.jpg"), HasSubstr("CAMERA_RIGHT_1.6.jpg")));
     EXPECT_THAT(error(std::nullopt), AllOf(HasSubstr("--calib"), HasSubstr("right images out")));
     EXPECT_THAT(error(calibration()), HasSubstr("baseline METRES"));
     make_files(folder, {"CAMERA_LEFT_1.5.png"});
@@ -309,6 +305,35 @@ TEST(MalagaLayout, SaysWhatIsWrong)
     EXPECT_THAT(error(), HasSubstr("does not grow"));
     EXPECT_THAT(error_of([&] { fild::read_malaga_layout(folder.path("none"), {}); }),
                 HasSubstr("no such folder"));
+}
+
+TEST(NewCollegeLayout, PairsImagesOfTheSameTime)
+{
+    const TemporaryFolder folder;
+    make_files(folder,
+               {"StereoImage__1.5-left.pnm",
+                "StereoImage__2.5-left.pnm",
+                "StereoImage__10.5-left.pnm",
+                "StereoImage__1.5-right.pnm",
+                "StereoImage__10.5-right.pnm",
+                "StereoImage__11.5-right.pnm",
+                "StereoImage__12.5-right.pnm"});
+    const auto recording = fild::read_newcollege_layout(folder.path(), calibration(0.86));
+    ASSERT_EQ(recording.frames.size(), 2U);
+    EXPECT_EQ(name_of(recording.frames[1].image), "StereoImage__10.5-left.pnm");
+    EXPECT_EQ(name_of(*recording.frames[1].right), "StereoImage__10.5-right.pnm");
+    EXPECT_THAT(
+        recording.left_out,
+        ElementsAre("1 left image without a right one", "2 right images without a left one"));
+}
+
+TEST(NewCollegeLayout, SaysThatNoImageHasAPartner)
+{
+    const TemporaryFolder folder;
+    make_files(folder, {"StereoImage__1.5-left.pnm", "StereoImage__1.6-right.pnm"});
+    EXPECT_THAT(
+        error_of([&] { fild::read_newcollege_layout(folder.path(), calibration(0.12)); }),
+        AllOf(HasSubstr("StereoImage__1.5-left.pnm"), HasSubstr("StereoImage__1.6-right.pnm")));
 }
 
 TEST(NewCollegeLayout, ReadsItsNames)

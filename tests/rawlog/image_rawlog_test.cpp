@@ -258,6 +258,66 @@ TEST(ImageRawlog, WritesStereoPairs)
     EXPECT_TRUE(frame.camera);
 }
 
+/** The right camera has another focal length, and is turned to the left by 10 degrees. */
+fild::Calibration unequal_calibration()
+{
+    auto both = calibration(kCamera);
+    both.right = both.camera;
+    both.right->fx = 60;
+    both.right_pose =
+        fild::RigidTransform{fild::rotation_from_vector({0, -0.1745, 0}), {0.3, 0, 0}};
+    return both;
+}
+
+TEST(ImageRawlog, WritesPairsOfUnequalCameras)
+{
+    const TemporaryFolder folder;
+    draw_images(folder);
+    const auto request = request_in(folder);
+    auto recording = stereo_recording(folder);
+    recording.calibration = unequal_calibration();
+    fild::write_image_rawlog(recording, request);
+    const auto pair = first_observation<mrpt::obs::CObservationStereoImages>(request.rawlog_path);
+    ASSERT_NE(pair, nullptr);
+    EXPECT_EQ(pair->rightCamera.fx(), 60);
+    EXPECT_NEAR(pair->rightCameraPose.x(), 0.3, 1e-9);
+    EXPECT_NEAR(mrpt::poses::CPose3D(pair->rightCameraPose).pitch(), -0.1745, 1e-9);
+}
+
+TEST(ImageRawlog, WritesTwoCamerasThatRecordedByThemselves)
+{
+    const TemporaryFolder folder;
+    draw_images(folder);
+    auto request = request_in(folder);
+    auto recording = four_frames(folder);
+    recording.calibration = unequal_calibration();
+    for (const auto& [name, seconds] : {std::pair("a.png", 0.004), {"a.png", 0.199}})
+        recording.right_camera.push_back(listed(folder.path("in/" + std::string(name)), seconds));
+    EXPECT_EQ(fild::write_image_rawlog(recording, request).frames, 4U);
+    fild::RawlogReader reader(request.rawlog_path);
+    std::string labels;
+    while (const auto observation = reader.next())
+    {
+        labels += observation->sensorLabel + " ";
+        const auto image = std::dynamic_pointer_cast<mrpt::obs::CObservationImage>(observation);
+        ASSERT_NE(image, nullptr);
+        const bool is_left = image->sensorLabel == "CAMERA_LEFT";
+        EXPECT_EQ(image->cameraParams.fx(), is_left ? recording.calibration->camera.fx : 60);
+        if (is_left) continue;
+        // To the right on the robot is negative y; turned to the left is positive yaw.
+        EXPECT_NEAR(image->cameraPose.y(), -0.3, 1e-9);
+        const auto ahead = image->cameraPose.composePoint({0, 0, 1});
+        EXPECT_NEAR(ahead.y, -0.3 + std::sin(0.1745), 1e-9);
+    }
+    EXPECT_EQ(labels, "CAMERA_LEFT CAMERA_RIGHT CAMERA_LEFT CAMERA_RIGHT CAMERA_LEFT CAMERA_LEFT ");
+    request.rawlog_path = folder.path("out/other.rawlog");
+    request.sensor_label = "EYE";
+    EXPECT_THROW(fild::write_image_rawlog(recording, request), std::invalid_argument);
+    request.sensor_label.reset();
+    recording.calibration->right_pose.reset();
+    EXPECT_THROW(fild::write_image_rawlog(recording, request), std::invalid_argument);
+}
+
 TEST(ImageRawlog, KeepsNamesOfPairsThatDiffer)
 {
     const TemporaryFolder folder;

@@ -97,6 +97,22 @@ test_malaga() {
   expect "malaga: time stamps of the names" grep -q '^1,1226322040.529528,CAMERA_LEFT,' "$work/out/malaga/frames.csv"
   expect "malaga: calibration written" grep -q '^923.5295 922.2418 .* 1024 768 -0.353754' "$work/out/malaga/calibration.txt"
 
+  local left
+  for left in "$work"/malaga/CAMERA_LEFT_*; do
+    cp "$left" "$(sed 's/LEFT/RIGHT/; s/529528/533012/' <<< "$left")"
+  done
+  run_script malaga_parking_6l.sh malaga out/left_only
+  expect "malaga, no pose of the right camera: exit code 0" exits_with 0
+  expect "malaga, no pose of the right camera: says so" says "16 right images are left out"
+  echo "923.5 922.2 507.2 383.6 1024 768 -0.353754 0.162014 0.001643379 0.0003655471
+right 911.4 909.4 519.4 409.0 1024 768
+right_pose 0.8 0 0 0 0 0 1" > "$work/malaga/calibration.txt"
+  run_script malaga_parking_6l.sh malaga out/both malaga.loops.txt
+  expect "malaga, both cameras: exit code 0" exits_with 0
+  expect "malaga, both cameras: two streams" says "16 frames of 32 images"
+  expect "malaga, both cameras: pairs" grep -q '"frames_with_right_image": 16' "$work/out/both/summary.json"
+  expect "malaga, both cameras: scored" scored out/both exact
+
   mkdir "$work/malaga_rawlog"
   cp "$work/out/malaga/malaga_parking_6l.rawlog" "$work/malaga_rawlog/6l.rawlog.gz"
   cp -r "$work/out/malaga/malaga_parking_6l_Images" "$work/malaga_rawlog/6l_Images"

@@ -38,7 +38,9 @@ TSensorOptions options_of(SensorKind sensor)
 template <class Observation>
 typename Observation::Ptr observe(const TSensorOptions& options, const cv::Mat& depth = {})
 {
-    const auto made = fild::camera_observation(options, kStamp, {CImage(), CImage()}, depth);
+    const auto all = fild::camera_observations(options, kStamp, {CImage(), CImage()}, depth);
+    EXPECT_EQ(all.size(), 1U);
+    const auto& made = all.front();
     EXPECT_EQ(made->timestamp, kStamp);
     EXPECT_EQ(made->sensorLabel, "CAMERA1");
     return std::dynamic_pointer_cast<Observation>(made);
@@ -87,6 +89,35 @@ TEST(CameraObservation, StereoHasBothCamerasAndThePoseBetween)
     const CPose3D left(pair->cameraPose);
     expect_pose(left, robot_from_cameras(options)[0]);
     expect_pose(left + CPose3D(pair->rightCameraPose), robot_from_cameras(options)[1]);
+}
+
+TEST(CameraObservation, OfAPairIsAnImageOfEachCamera)
+{
+    auto options = options_of(SensorKind::pair);
+    options.toe_in_deg = 3;
+    options.lens_k1 = -0.2;
+    const auto both = fild::camera_observations(options, kStamp, {CImage(), CImage()}, {});
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[0]->sensorLabel, "CAMERA_LEFT");
+    EXPECT_EQ(both[1]->sensorLabel, "CAMERA_RIGHT");
+    EXPECT_EQ(both[0]->timestamp, kStamp);
+    EXPECT_NEAR(mrpt::Clock::toDouble(both[1]->timestamp), 1577836800.504, 1e-6);
+    for (std::size_t i = 0; i < both.size(); ++i)
+    {
+        const auto image = std::dynamic_pointer_cast<obs::CObservationImage>(both[i]);
+        ASSERT_TRUE(image);
+        expect_pose(image->cameraPose, robot_from_cameras(options)[i]);
+        EXPECT_EQ(image->cameraParams.k1(), -0.2);
+    }
+    const CPose3D left(robot_from_cameras(options)[0]);
+    const CPose3D right(robot_from_cameras(options)[1]);
+    // Their optical axes meet half the baseline's length by the tangent before them.
+    const auto meeting = left.composePoint({0, 0, 0.25 / std::sin(3 * CV_PI / 180)});
+    const auto again = right.composePoint({0, 0, 0.25 / std::sin(3 * CV_PI / 180)});
+    EXPECT_NEAR(meeting.x, again.x, 1e-9);
+    EXPECT_NEAR(meeting.y, again.y, 1e-9);
+    EXPECT_NEAR(meeting.y, 0, 1e-9);
+    EXPECT_GT(meeting.x, 4);
 }
 
 TEST(CameraObservation, RangeScanHasDepthInMillimetresUpToItsRange)

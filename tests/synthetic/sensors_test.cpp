@@ -56,6 +56,17 @@ TEST(Sensors, APositivePitchLooksDown)
     EXPECT_NEAR(ahead.z, options.camera_height_m - std::sqrt(0.5), 1e-9);
 }
 
+TEST(Sensors, RefuseALensThatFoldsTheImage)
+{
+    TSensorOptions options;
+    options.lens_k1 = -0.28;
+    EXPECT_THROW(options.check(), std::invalid_argument);
+    options.lens_k2 = 0.07;
+    EXPECT_NO_THROW(options.check());
+    options.sensor = SensorKind::rgbd;
+    EXPECT_THROW(options.check(), std::invalid_argument);
+}
+
 TEST(Sensors, RefuseOptionsOutOfRange)
 {
     TSensorOptions options;

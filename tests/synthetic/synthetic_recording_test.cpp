@@ -2,7 +2,7 @@
 #include "fild/synthetic/synthetic_recording.h"
 
 #include "fild/rawlog/frame_builder.h"
-#include "fild/rawlog/rawlog_reader.h"
+#include "fild/rawlog/paired_rawlog.h"
 #include "flat_scene.h"
 #include "message_of.h"
 #include "temporary_folder.h"
@@ -106,7 +106,7 @@ std::size_t count_labels(const std::string& rawlog, const std::string& label)
 
 std::vector<fild::Frame> read_frames(const std::string& rawlog)
 {
-    fild::RawlogReader reader(rawlog);
+    fild::PairedRawlog reader(rawlog, {});
     fild::FrameBuilder builder(fild::TInputOptions(), rawlog);
     std::vector<fild::Frame> frames;
     while (const auto observation = reader.next())
@@ -193,9 +193,63 @@ TEST_P(EachSensor, HasTheSameBytesForTheSameSeed)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sensors,
-                         EachSensor,
-                         ::testing::Values(SensorKind::mono, SensorKind::stereo, SensorKind::rgbd));
+INSTANTIATE_TEST_SUITE_P(
+    Sensors,
+    EachSensor,
+    ::testing::Values(SensorKind::mono, SensorKind::stereo, SensorKind::pair, SensorKind::rgbd));
+
+/** A pair whose right image shows what is to be seen a tenth of a second later, from further on. */
+TEST(SyntheticRecording, TakesTheRightImageOfAPairLater)
+{
+    const TemporaryFolder folder;
+    auto request = small_request(folder, SensorKind::pair);
+    request.options.route.max_frames = 3;
+    request.options.sensors.right_delay_seconds = 0.1;
+    std::vector<CPose3D> poses;
+    const auto remember = [&](const auto& camera, const auto& pose, const auto& conditions)
+    {
+        poses.push_back(pose);
+        return draw(camera, pose, conditions);
+    };
+    write_synthetic_recording(request, small_town(), remember, nullptr);
+    ASSERT_EQ(poses.size(), 6U);
+    for (std::size_t i = 0; i < poses.size(); i += 2)
+    {
+        const auto moved = poses[i + 1] - poses[i];
+        EXPECT_NEAR(moved.x(), request.options.sensors.baseline_m, 0.1);
+        EXPECT_NEAR(moved.z(), 0.6, 0.15) << "6 m/s";
+    }
+    EXPECT_EQ(count_labels(request.rawlog_path, "CAMERA_LEFT"), 3U);
+    EXPECT_EQ(count_labels(request.rawlog_path, "CAMERA_RIGHT"), 3U);
+}
+
+/** Through the lens, and straightened by our reader, a view is what it is without the lens. */
+TEST(SyntheticRecording, BendsTheImagesByTheLens)
+{
+    std::vector<fild::Frame> frames;
+    for (const bool is_bent : {false, true})
+    {
+        const TemporaryFolder folder;
+        auto request = small_request(folder, SensorKind::mono);
+        request.embed = true;
+        request.options.route.max_frames = 1;
+        request.options.conditions.image_noise = 0;
+        request.options.sensors.width = 320;
+        request.options.sensors.height = 240;
+        if (is_bent)
+        {
+            request.options.sensors.lens_k1 = -0.28;
+            request.options.sensors.lens_k2 = 0.07;
+        }
+        record(request);
+        frames.push_back(read_frames(request.rawlog_path).at(0));
+    }
+    cv::Mat difference;
+    cv::absdiff(frames[0].image, frames[1].image, difference);
+    const auto mean = cv::mean(difference);
+    EXPECT_LT(mean[0] + mean[1] + mean[2], 9) << "in three colours";
+    EXPECT_EQ(frames[1].camera->fx, frames[0].camera->fx);
+}
 
 TEST(SyntheticRecording, KeepsTheImagesBesideTheRawlog)
 {

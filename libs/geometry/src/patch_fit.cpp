@@ -108,6 +108,34 @@ class Patch
         return sums;
     }
 
+    /** A step of Gauss and Newton from a shift of disparity and row on. */
+    std::optional<cv::Vec2d> shift_step(const cv::Mat& right,
+                                        const PatchFit& fit,
+                                        const cv::Vec2d& shift) const
+    {
+        cv::Matx22d normal = cv::Matx22d::zeros();
+        cv::Vec2d gradient(0, 0);
+        auto value = values_.begin();
+        for (int v = -half_; v <= half_; ++v)
+            for (int u = -half_; u <= half_; ++u, ++value)
+            {
+                const double x =
+                    pixel_.x + u - fit.disparity_px - shift[0] - fit.slant_x * u - fit.slant_y * v;
+                const double y = pixel_.y + v + shift[1];
+                if (!contains(right, x, y - 1) || !contains(right, x, y + 1)) return std::nullopt;
+                const auto seen = sample(right, x, y);
+                const double down =
+                    0.5 * (sample(right, x, y + 1).value - sample(right, x, y - 1).value);
+                const cv::Vec2d row(-fit.gain * seen.slope, fit.gain * down);
+                normal += row * row.t();
+                gradient += (*value - fit.gain * seen.value - fit.offset) * row;
+            }
+        bool solvable = false;
+        const auto inverse = normal.inv(cv::DECOMP_CHOLESKY, &solvable);
+        if (!solvable) return std::nullopt;
+        return inverse * gradient;
+    }
+
  private:
     cv::Point2d pixel_;
     int half_;
@@ -157,8 +185,39 @@ std::optional<PatchFit> fit_patch(
             return std::nullopt;
         if (std::abs(step[0]) > kConverged) continue;
         const double variance = sums->squares / (patch.count() - kUnknowns);
-        return PatchFit{
-            p[0], std::sqrt(variance * inverse(0, 0)), sums->correlation(patch.count())};
+        return PatchFit{p[0],
+                        std::sqrt(variance * inverse(0, 0)),
+                        sums->correlation(patch.count()),
+                        p[1],
+                        p[2],
+                        p[3],
+                        p[4]};
+    }
+    return std::nullopt;
+}
+
+std::optional<double> row_shift(const cv::Mat& left,
+                                const cv::Mat& right,
+                                const cv::Point2d& pixel,
+                                const PatchFit& fit,
+                                int side)
+{
+    constexpr int kMaxIterations = 6;
+    constexpr double kConverged = 0.01;  // pixels
+    constexpr double kFarthest = 2;
+    const int half = side / 2;
+    if (!contains(left, pixel.x - half, pixel.y - half) ||
+        !contains(left, pixel.x + half, pixel.y + half))
+        return std::nullopt;
+    const Patch patch(left, pixel, side);
+    cv::Vec2d shift(0, 0);  // of the disparity, of the row
+    for (int i = 0; i < kMaxIterations; ++i)
+    {
+        const auto step = patch.shift_step(right, fit, shift);
+        if (!step) return std::nullopt;
+        shift += *step;
+        if (cv::norm(shift, cv::NORM_INF) > kFarthest) return std::nullopt;
+        if (cv::norm(*step, cv::NORM_INF) < kConverged) return shift[1];
     }
     return std::nullopt;
 }

@@ -79,9 +79,8 @@ std::vector<cv::Point2d> transformed(const std::vector<PixelPosition>& pixels,
     return result;
 }
 
-RectifiedPair rectified_pair(const Frame& frame)
+RectifiedPair rectified_pair(const Frame& frame, const RigidTransform& left_from_right)
 {
-    const auto& left_from_right = frame.right->left_from_right;
     const auto rotation = rectified_from_left(left_from_right);
     RectifiedPair pair;
     pair.focal_px = std::sqrt(frame.camera->fx * frame.camera->fy);

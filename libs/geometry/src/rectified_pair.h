@@ -24,8 +24,10 @@ struct RectifiedPair
     cv::Matx33d camera_from_rectified;  ///< rotation back to the left camera's axes
 };
 
-/** \param frame  with a calibrated left and right image and a usable baseline. */
-RectifiedPair rectified_pair(const Frame& frame);
+/** \param frame  with a calibrated left and right image.
+ *  \param left_from_right  that of the frame, or as it was when the images were taken; with a usable
+ *  baseline. */
+RectifiedPair rectified_pair(const Frame& frame, const RigidTransform& left_from_right);
 
 /** Pixels through a homography. */
 std::vector<cv::Point2d> transformed(const std::vector<PixelPosition>& pixels,

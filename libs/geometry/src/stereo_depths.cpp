@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/geometry/stereo_depths.h"
 
+#include "pair_motion.h"
 #include "patch_fit.h"
 #include "rectified_pair.h"
 #include "row_matches.h"
@@ -10,6 +11,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace fild
 {
@@ -47,6 +50,90 @@ double depth_of(const RectifiedPair& pair, const cv::Point2d& pixel, double disp
                         1);
     return z * (pair.camera_from_rectified * ray)[2];
 }
+
+struct MatchedPair
+{
+    RectifiedPair pair;
+    std::vector<Match> matches;
+};
+
+std::vector<Match> matches_of(const RectifiedPair& pair,
+                              const HashedFeatures& left,
+                              const HashedFeatures& right,
+                              const TDepthOptions& options)
+{
+    const RowSearch search{options.max_row_error_px,
+                           pair.focal_px * pair.baseline_m / options.min_depth_m,
+                           options.stereo_ratio};
+    return match_on_rows(transformed(left.positions, pair.left_pixel_from_raw),
+                         left.codes,
+                         transformed(right.positions, pair.right_pixel_from_raw),
+                         right.codes,
+                         search);
+}
+
+MatchedPair matched_at(const Frame& frame,
+                       const RigidTransform& left_from_right,
+                       const HashedFeatures& left,
+                       const HashedFeatures& right,
+                       const TDepthOptions& options)
+{
+    auto pair = rectified_pair(frame, left_from_right);
+    auto matches = matches_of(pair, left, right, options);
+    return {std::move(pair), std::move(matches)};
+}
+
+/** As pose_of_moved_right(), by patches rather than keypoints: these are some tenths of a pixel off. */
+RigidTransform pose_by_patches(const Frame& frame,
+                               const MatchedPair& matched,
+                               const HashedFeatures& left,
+                               const HashedFeatures& right,
+                               const TDepthOptions& options)
+{
+    constexpr double kPixel = 0.1;
+    const auto& pair = matched.pair;
+    const auto left_image = smooth(pair.left);
+    const auto right_image = smooth(pair.right);
+    const auto in_left = transformed(left.positions, pair.left_pixel_from_raw);
+    const auto in_right = transformed(right.positions, pair.right_pixel_from_raw);
+    std::vector<PixelPosition> left_pixels;
+    std::vector<PixelPosition> right_pixels;
+    std::vector<Match> fitted;
+    for (const auto& match : matched.matches)
+    {
+        const auto& pixel = in_left[match.query];
+        const double start = pixel.x - in_right[match.candidate].x;
+        const auto fit = fit_patch(left_image, right_image, pixel, start, options.patch_px);
+        if (!fit || fit->correlation < options.min_correlation) continue;
+        const auto shift = row_shift(left_image, right_image, pixel, *fit, options.patch_px);
+        if (!shift) continue;
+        left_pixels.push_back(left.positions[match.query]);
+        right_pixels.push_back({static_cast<float>(pixel.x - fit->disparity_px),
+                                static_cast<float>(pixel.y + *shift)});
+        fitted.push_back({fitted.size(), fitted.size(), 0});
+    }
+    const auto raw = transformed(right_pixels, pair.right_pixel_from_raw.inv());
+    for (std::size_t i = 0; i < raw.size(); ++i)
+        right_pixels[i] = {static_cast<float>(raw[i].x), static_cast<float>(raw[i].y)};
+    return pose_of_moved_right(frame, left_pixels, right_pixels, fitted, kPixel);
+}
+
+/** Rectified, and matched on its rows, as the cameras were when they took the images. */
+MatchedPair matched_pair(const Frame& frame,
+                         const HashedFeatures& left,
+                         const HashedFeatures& right,
+                         const TDepthOptions& options)
+{
+    constexpr double kPixel = 0.4;  // of keypoints
+    auto matched = matched_at(frame, frame.right->left_from_right, left, right, options);
+    if (frame.right->seconds_later == 0) return matched;
+    const auto moved =
+        pose_of_moved_right(frame, left.positions, right.positions, matched.matches, kPixel);
+    if (!is_usable_baseline(moved)) return matched;
+    matched = matched_at(frame, moved, left, right, options);
+    const auto refined = pose_by_patches(frame, matched, left, right, options);
+    return is_usable_baseline(refined) ? matched_at(frame, refined, left, right, options) : matched;
+}
 }  // namespace
 
 KeypointDepths depths_from_stereo(const Frame& frame,
@@ -63,15 +150,13 @@ KeypointDepths depths_from_stereo(const Frame& frame,
     depths.metres.assign(left.positions.size(), kNoDepth);
     depths.deviations_m.assign(left.positions.size(), kNoDepth);
 
-    const auto pair = rectified_pair(frame);
+    const auto matched = matched_pair(frame, left, right, options);
+    const auto& pair = matched.pair;
     const auto left_image = smooth(pair.left);
     const auto right_image = smooth(pair.right);
     const auto in_left = transformed(left.positions, pair.left_pixel_from_raw);
     const auto in_right = transformed(right.positions, pair.right_pixel_from_raw);
-    const RowSearch search{options.max_row_error_px,
-                           pair.focal_px * pair.baseline_m / options.min_depth_m,
-                           options.stereo_ratio};
-    for (const auto& match : match_on_rows(in_left, left.codes, in_right, right.codes, search))
+    for (const auto& match : matched.matches)
     {
         const auto& pixel = in_left[match.query];
         const double start = pixel.x - in_right[match.candidate].x;

@@ -53,11 +53,14 @@ void NodeLoops::feed(const mrpt::obs::CActionCollection& actions)
 void NodeLoops::feed(const mrpt::obs::CObservation& observation)
 {
     trajectory_.feed(observation);
-    const auto fed = stream_.feed(observation);
-    if (!fed) return;
+    for (auto fed = stream_.feed(observation); fed; fed = stream_.next()) add(*fed);
+}
+
+void NodeLoops::add(const FedFrame& fed)
+{
     ++report_.camera_frames;
-    frames_[fed->frame] = {add_moment(fed->timestamp), nodes_.size()};
-    for (const auto& outcome : fed->decided) add_outcome(outcome);
+    frames_[fed.frame] = {add_moment(fed.timestamp), nodes_.size()};
+    for (const auto& outcome : fed.decided) add_outcome(outcome);
 }
 
 NodeLoops::Moment NodeLoops::add_moment(double timestamp)
@@ -106,6 +109,7 @@ std::vector<NodeLoop> NodeLoops::take_settled()
 
 std::vector<NodeLoop> NodeLoops::take_all()
 {
+    while (const auto fed = stream_.drain()) add(*fed);
     for (const auto& outcome : stream_.finish()) add_outcome(outcome);
     const auto all = std::exchange(waiting_, {});
     if (!nodes_.empty()) return settle(all);

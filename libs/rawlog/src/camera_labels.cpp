@@ -19,9 +19,10 @@ std::string join(const std::set<std::string>& labels)
 }
 }  // namespace
 
-CameraLabels::CameraLabels(const std::string& pattern)
+CameraLabels::CameraLabels(const TInputOptions& options)
 {
-    if (!pattern.empty()) pattern_.emplace(pattern);
+    if (!options.sensor_label.empty()) pattern_.emplace(options.sensor_label);
+    if (const auto pair = options.named_pair()) first_ = pair->left;
 }
 
 bool CameraLabels::accepts_camera(const std::string& label)

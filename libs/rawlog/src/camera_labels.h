@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/rawlog/input_options.h"
+
 #include <optional>
 #include <regex>
 #include <set>
@@ -14,13 +16,19 @@ namespace fild
 class CameraLabels
 {
  public:
-    /** \param pattern  regular expression for the whole label; a label of more than 255 characters
-     *  never matches. Empty: the first camera's label.
+    /** By [input] sensor_label, a regular expression for the whole label; a label of more than 255
+     *  characters never matches. When it is empty: the label of the left camera that stereo_labels
+     *  names, else the first camera's label.
      *  \throw std::regex_error. */
-    explicit CameraLabels(const std::string& pattern);
+    explicit CameraLabels(const TInputOptions& options);
 
     /** Notes the label of a camera observation; true when it is wanted. */
     bool accepts_camera(const std::string& label);
+    /** True for a label that would be wanted if it came now. */
+    bool could_want(const std::string& label) const
+    {
+        return (!pattern_ && !first_) || wants(label);
+    }
     /** Notes the label of an observation that holds no image. */
     void note_other(const std::string& label) { others_.insert(label); }
 

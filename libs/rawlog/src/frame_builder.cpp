@@ -3,15 +3,15 @@
 
 #include "calibration_mismatch.h"
 #include "camera_labels.h"
+#include "camera_view.h"
 #include "fild/core/utf8.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "image_store.h"
 #include "metric_content.h"
+#include "rectification.h"
 #include "size_change.h"
 #include "undistorter.h"
 
-#include <mrpt/obs/CObservation3DRangeScan.h>
-#include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationStereoImages.h>
 #include <opencv2/core.hpp>
 
@@ -25,24 +25,14 @@ namespace
 {
 using mrpt::obs::CObservation;
 
-/** The image of an observation and the camera that took it. */
-struct CameraView
+/** What a frame is to show of an observation. */
+PinholeView view_of(const CObservation& observation, const CameraModel& camera)
 {
-    const mrpt::img::CImage& image;
-    const mrpt::img::TCamera& camera;
-};
-
-std::optional<CameraView> camera_view_of(const CObservation& observation)
-{
-    using namespace mrpt::obs;
-    if (const auto* mono = dynamic_cast<const CObservationImage*>(&observation))
-        return CameraView{mono->image, mono->cameraParams};
-    if (const auto* stereo = dynamic_cast<const CObservationStereoImages*>(&observation))
-        return CameraView{stereo->imageLeft, stereo->leftCamera};
-    const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation);
-    if (scan != nullptr && scan->hasIntensityImage)
-        return CameraView{scan->intensityImage, scan->cameraParamsIntensity};
-    return std::nullopt;
+    const auto* stereo = dynamic_cast<const mrpt::obs::CObservationStereoImages*>(&observation);
+    if (stereo == nullptr) return straight_view(camera);
+    const auto left_from_right = left_from_right_of(*stereo);
+    return is_usable_baseline(left_from_right) ? rectified_left(camera, left_from_right)
+                                               : straight_view(camera);
 }
 
 std::optional<CameraModel> parse_override(const std::string& words)
@@ -70,7 +60,7 @@ struct FrameBuilder::State
           const std::string& rawlog_path,
           FrameContent content)
         : options(checked_options),
-          labels(options.sensor_label),
+          labels(options),
           store(options.images_dir, rawlog_path, options.max_entry_megabytes),
           override_camera(parse_override(options.camera_parameters))
     {
@@ -87,7 +77,9 @@ struct FrameBuilder::State
     void load_image(const CameraView& view, Frame& frame);
     /** Notes a missing image. \throw std::runtime_error where that ends the run. */
     void note_missing(const std::string& path, const Frame& frame);
-    void calibrate(const CameraView& view, Frame& frame);
+    /** Gives the frame its camera and straightens its image; that of a stereo pair is rectified.
+     */
+    TakenImage calibrate(const CObservation& observation, const CameraView& view, Frame& frame);
     /** The camera's calibration, unless it is for another size than that of the frame's image. */
     std::optional<CameraModel> fitting_camera(const CameraView& view, const Frame& frame);
 
@@ -194,18 +186,26 @@ std::optional<CameraModel> FrameBuilder::State::fitting_camera(const CameraView&
     return fitting;
 }
 
-void FrameBuilder::State::calibrate(const CameraView& view, Frame& frame)
+TakenImage FrameBuilder::State::calibrate(const CObservation& observation,
+                                          const CameraView& view,
+                                          Frame& frame)
 {
+    auto& camera = cameras.at(frame.sensor_label);
+    TakenImage taken;
+    taken.first_size = *camera.image_size;
     frame.camera = fitting_camera(view, frame);
-    if (!frame.camera) return;
-    if (has_distortion(*frame.camera))
+    if (!frame.camera) return taken;
+    taken.camera = *frame.camera;
+    if (!options.undistort)
     {
-        if (!options.undistort) return;
-        frame.image =
-            cameras.at(frame.sensor_label).undistorter.undistort(frame.image, *frame.camera);
+        if (!has_distortion(taken.camera)) frame.camera = without_distortion(taken.camera);
+        return taken;
     }
-    frame.camera->lens = LensModel::none;
-    frame.camera->distortion.fill(0);
+    const auto straight = view_of(observation, taken.camera);
+    frame.image = camera.undistorter.undistort(frame.image, taken.camera, straight);
+    frame.camera = straight.camera;
+    taken.view_from_camera = straight.view_from_camera;
+    return taken;
 }
 
 FrameBuilder::FrameBuilder(const TInputOptions& options,
@@ -236,10 +236,10 @@ Frame FrameBuilder::build(const CObservation& observation)
     if (frame.defect != Rejection::none) return frame;
     auto& first_size = state_->cameras[frame.sensor_label].image_size;
     if (!first_size) first_size = frame.image.size();
-    state_->calibrate(*view, frame);
+    const auto taken = state_->calibrate(observation, *view, frame);
     if (state_->metric)
     {
-        const auto missing = state_->metric->add_to(frame, observation, *first_size);
+        const auto missing = state_->metric->add_to(frame, observation, taken);
         if (!missing.empty()) state_->note_missing(missing, frame);
     }
     if (state_->has_other_size(frame))

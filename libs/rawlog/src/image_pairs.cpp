@@ -26,10 +26,11 @@ void check_stereo_calibration(const std::optional<Calibration>& calibration,
             "stereo images need a calibration: give --calib FILE with the lines "
             "'fx fy cx cy width height' and 'baseline METRES', or " +
             way_out);
-    if (!calibration->baseline_m)
+    if (!calibration->left_from_right())
         throw std::runtime_error(
-            "stereo images need a baseline: add the last line 'baseline METRES' to the "
-            "calibration file, or " +
+            "stereo images need a baseline: add the last line 'baseline METRES' or 'right_pose "
+            "...' "
+            "to the calibration file, or " +
             way_out);
 }
 

@@ -4,6 +4,7 @@
 #include "checked_image.h"
 #include "fild/core/whole_file.h"
 #include "fild/rawlog/camera_conversion.h"
+#include "fild/rawlog/pose_conversion.h"
 #include "fild/rawlog/rawlog_writer.h"
 #include "fild/rawlog/robot_path_file.h"
 #include "placed_images.h"
@@ -29,7 +30,7 @@ namespace fs = std::filesystem;
 
 void check_request(const ImageRawlogRequest& request)
 {
-    if (request.sensor_label.empty()) throw std::invalid_argument("the sensor label is empty");
+    if (request.sensor_label == "") throw std::invalid_argument("the sensor label is empty");
     if (fs::path(request.rawlog_path).extension() != ".rawlog")
         throw std::invalid_argument("'" + request.rawlog_path + "' is not of the form NAME.rawlog");
 }
@@ -46,8 +47,12 @@ void check_recording(const Recording& recording)
     if (!std::all_of(frames.begin(), frames.end(), of_one_kind) ||
         (frames[0].right && frames[0].depth))
         throw std::invalid_argument("a recording is either mono, stereo or with depth");
-    if (frames[0].right && !(recording.calibration && recording.calibration->baseline_m))
+    const bool is_pair = frames[0].right || !recording.right_camera.empty();
+    if (is_pair && !(recording.calibration && recording.calibration->left_from_right()))
         throw std::invalid_argument("a stereo recording needs a calibration with a baseline");
+    if (!recording.right_camera.empty() && (frames[0].right || frames[0].depth))
+        throw std::invalid_argument(
+            "of two cameras that record by themselves a frame is one image");
     const double units = recording.depth_units_per_metre;
     if (frames[0].depth && !(units > 0 && std::isfinite(units)))
         throw std::invalid_argument("the depth units per metre must be above 0");
@@ -81,10 +86,15 @@ mrpt::math::CMatrix_u16 to_range_image(const cv::Mat& depth)
 class ObservationMaker
 {
  public:
-    ObservationMaker(const Recording& recording, const std::string& label, PlacedImages& images)
-        : recording_(recording), label_(label), images_(images)
+    ObservationMaker(const Recording& recording, std::string label, PlacedImages& images)
+        : recording_(recording), label_(std::move(label)), images_(images)
     {
-        if (recording.calibration) camera_ = mrpt_camera_from(recording.calibration->camera);
+        const auto& calibration = recording.calibration;
+        if (!calibration) return;
+        camera_ = mrpt_camera_from(calibration->camera);
+        right_camera_ = mrpt_camera_from(calibration->right_camera());
+        left_from_right_ =
+            mrpt_pose_from(calibration->left_from_right().value_or(RigidTransform()));
     }
 
     mrpt::obs::CObservation::Ptr make(const RecordedFrame& frame)
@@ -101,6 +111,18 @@ class ObservationMaker
         return observation;
     }
 
+    /** An image of the right camera of two. */
+    mrpt::obs::CObservation::Ptr make_right(const StampedImage& image, const std::string& label)
+    {
+        auto observation = mrpt::obs::CObservationImage::Create();
+        observation->image = place_right(image, fs::path(image.path).filename()).image;
+        observation->cameraParams = right_camera_;
+        observation->cameraPose = robot_from_camera() + left_from_right_;
+        observation->timestamp = mrpt::Clock::fromDouble(image.seconds);
+        observation->sensorLabel = label;
+        return observation;
+    }
+
  private:
     PlacedImage place(const ImageFile& file, const fs::path& name)
     {
@@ -110,14 +132,23 @@ class ObservationMaker
         return placed;
     }
 
+    PlacedImage place_right(const ImageFile& file, const fs::path& name)
+    {
+        auto placed = images_.place(file, name);
+        check_calibrated_size(file, placed.size, recording_.calibration->right_camera());
+        return placed;
+    }
+
     mrpt::obs::CObservationImage::Ptr mono(const RecordedFrame& frame);
     mrpt::obs::CObservationStereoImages::Ptr stereo(const RecordedFrame& frame);
     mrpt::obs::CObservation3DRangeScan::Ptr range_scan(const RecordedFrame& frame);
 
     const Recording& recording_;
-    const std::string& label_;
+    std::string label_;
     PlacedImages& images_;
     mrpt::img::TCamera camera_;  ///< MRPT's default stands for "not calibrated"
+    mrpt::img::TCamera right_camera_;
+    mrpt::poses::CPose3D left_from_right_;
 };
 
 mrpt::obs::CObservationImage::Ptr ObservationMaker::mono(const RecordedFrame& frame)
@@ -134,15 +165,17 @@ mrpt::obs::CObservationStereoImages::Ptr ObservationMaker::stereo(const Recorded
     const auto [left_name, right_name] = names_of_pair(frame.image.path, frame.right->path);
     auto left = place(frame.image, left_name);
     auto right = images_.place(*frame.right, right_name);
-    check_same_size(frame.image, left.size, *frame.right, right.size);
+    if (!recording_.calibration->right)
+        check_same_size(frame.image, left.size, *frame.right, right.size);
+    check_calibrated_size(*frame.right, right.size, recording_.calibration->right_camera());
     auto observation = mrpt::obs::CObservationStereoImages::Create();
     observation->imageLeft = std::move(left.image);
     observation->imageRight = std::move(right.image);
     observation->hasImageRight = true;
     observation->leftCamera = camera_;
-    observation->rightCamera = camera_;
+    observation->rightCamera = right_camera_;
     observation->cameraPose = mrpt::poses::CPose3DQuat(robot_from_camera());
-    observation->rightCameraPose.x(*recording_.calibration->baseline_m);
+    observation->rightCameraPose = mrpt::poses::CPose3DQuat(left_from_right_);
     return observation;
 }
 
@@ -177,12 +210,38 @@ std::unique_ptr<WholeFile> write_path(const fs::path& path_file,
         throw std::runtime_error("cannot write " + path_file.string() + "; is the disk full?");
     return file;
 }
+
+/** Of two cameras that recorded by themselves both in the order of time, the left one first. */
+void write_observations(const Recording& recording,
+                        const ImageRawlogRequest& request,
+                        PlacedImages& images,
+                        RawlogWriter& writer)
+{
+    const auto& right = recording.right_camera;
+    const std::string usual = right.empty() ? "CAMERA1" : "CAMERA_LEFT";
+    ObservationMaker maker(recording, request.sensor_label.value_or(usual), images);
+    auto next = right.begin();
+    const auto write_right_before = [&](double seconds)
+    {
+        for (; next != right.end() && next->seconds < seconds; ++next)
+            writer.write(*maker.make_right(*next, "CAMERA_RIGHT"));
+    };
+    for (const auto& frame : recording.frames)
+    {
+        write_right_before(frame.image.seconds);
+        writer.write(*maker.make(frame));
+    }
+    write_right_before(std::numeric_limits<double>::infinity());
+}
 }  // namespace
 
 ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRawlogRequest& request)
 {
     check_request(request);
     check_recording(recording);
+    if (request.sensor_label && !recording.right_camera.empty())
+        throw std::invalid_argument(
+            "two cameras get the labels CAMERA_LEFT and CAMERA_RIGHT; leave out --sensor-label");
     const auto images_dir = beside(request.rawlog_path, "_Images");
     const auto path_file = beside(request.rawlog_path, ".gt.tum");
     refuse_existing(request.rawlog_path);
@@ -194,8 +253,7 @@ ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRaw
     const auto robot_path = write_path(path_file, recording.robot_path);
     RawlogWriter writer(request.rawlog_path);
     PlacedImages images(request.embed ? std::nullopt : std::make_optional(images_dir));
-    ObservationMaker maker(recording, request.sensor_label, images);
-    for (const auto& frame : recording.frames) writer.write(*maker.make(frame));
+    write_observations(recording, request, images, writer);
     images.commit();
     writer.commit();
     images.keep();

@@ -5,7 +5,9 @@
 #include "depth_registration.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "fild/rawlog/pose_conversion.h"
+#include "paired_images.h"
 #include "range_image.h"
+#include "rectification.h"
 #include "robot_frame.h"
 #include "size_change.h"
 
@@ -34,11 +36,11 @@ RigidTransform robot_from_camera_of(const CObservation& observation)
     return rigid_transform_from(robot_from_sensor);
 }
 
-CameraModel without_distortion(CameraModel camera)
+/** How much later the right image was taken. */
+double seconds_later_in(const CObservationStereoImages& stereo)
 {
-    camera.lens = LensModel::none;
-    camera.distortion.fill(0);
-    return camera;
+    const auto* paired = dynamic_cast<const CPairedImages*>(&stereo);
+    return paired == nullptr ? 0 : paired->right_seconds_later;
 }
 
 /** True when each number of the range image belongs to the pixel at the same place. */
@@ -59,6 +61,11 @@ cv::Mat with_nan(cv::Mat depth)
 }
 }  // namespace
 
+RigidTransform left_from_right_of(const CObservationStereoImages& stereo)
+{
+    return rigid_transform_from(mrpt::poses::CPose3D(stereo.rightCameraPose));
+}
+
 MetricContent::MetricContent(const ImageStore& store,
                              bool undistort,
                              const std::optional<CameraModel>& override_camera)
@@ -68,9 +75,10 @@ MetricContent::MetricContent(const ImageStore& store,
 
 std::string MetricContent::add_to(Frame& frame,
                                   const CObservation& observation,
-                                  cv::Size first_size)
+                                  const TakenImage& taken)
 {
-    frame.robot_from_camera = robot_from_camera_of(observation);
+    frame.robot_from_camera =
+        robot_from_camera_of(observation) * RigidTransform{taken.view_from_camera.t(), {}};
     const auto* stereo = dynamic_cast<const CObservationStereoImages*>(&observation);
     const auto* scan = dynamic_cast<const CObservation3DRangeScan*>(&observation);
     if (!frame.camera)
@@ -78,9 +86,9 @@ std::string MetricContent::add_to(Frame& frame,
     else if (has_distortion(*frame.camera))
         frame.depth_defect = DepthDefect::distorted;
     else if (stereo != nullptr)
-        return add_right(frame, *stereo, first_size);
+        return add_right(frame, *stereo, taken);
     else if (scan != nullptr)
-        return add_depth(frame, *scan, first_size);
+        return add_depth(frame, *scan, taken.first_size);
     else
         frame.depth_defect = DepthDefect::mono;
     return "";
@@ -88,37 +96,38 @@ std::string MetricContent::add_to(Frame& frame,
 
 std::string MetricContent::add_right(Frame& frame,
                                      const CObservationStereoImages& stereo,
-                                     cv::Size first_size)
+                                     const TakenImage& left)
 {
-    auto camera = override_camera_ ? override_camera_ : camera_model_from(stereo.rightCamera);
-    RightView right;
-    right.left_from_right = rigid_transform_from(mrpt::poses::CPose3D(stereo.rightCameraPose));
+    const auto camera = override_camera_ ? override_camera_ : camera_model_from(stereo.rightCamera);
+    const auto left_from_right = left_from_right_of(stereo);
     const auto stored = stereo.hasImageRight ? store_.load(stereo.imageRight) : std::nullopt;
     const auto image = stored ? as_grey_or_bgr(*stored) : std::nullopt;
     if (!camera)
         frame.depth_defect = DepthDefect::not_calibrated;
     else if (has_distortion(*camera) && !undistort_)
         frame.depth_defect = DepthDefect::distorted;
-    else if (!is_usable_baseline(right.left_from_right))
+    else if (!is_usable_baseline(left_from_right))
         frame.depth_defect = DepthDefect::unusable_baseline;
     else if (!image)
         frame.depth_defect = DepthDefect::missing_right_image;
     if (frame.depth_defect != DepthDefect::none)
         return stored || !stereo.hasImageRight ? "" : store_.path_of(stereo.imageRight);
-    const bool is_scaled = frame.image.size() != first_size;
-    const auto fitting = camera_for(*camera, image->size(), is_scaled ? first_size : image->size());
+    const bool is_scaled = frame.image.size() != left.first_size;
+    const auto fitting =
+        camera_for(*camera, image->size(), is_scaled ? left.first_size : image->size());
     if (!fitting)
     {
         frame.depth_defect = DepthDefect::not_calibrated;
         if (!is_scaled) note_right_calibration(frame, *camera, image->size());
         return "";
     }
-    camera = fitting;
-    right.image = has_distortion(*camera)
-                      ? undistorters_[frame.sensor_label].undistort(*image, *camera)
-                      : *image;
-    right.camera = without_distortion(*camera);
-    frame.right = std::move(right);
+    const auto views = undistort_ ? rectify(left.camera, *fitting, left_from_right)
+                                  : Rectification{{}, straight_view(*fitting), left_from_right};
+    frame.right =
+        RightView{undistorters_[frame.sensor_label].undistort(*image, *fitting, views.right),
+                  views.right.camera,
+                  views.left_from_right,
+                  seconds_later_in(stereo)};
     return "";
 }
 
@@ -171,10 +180,10 @@ cv::Mat MetricContent::depth_on_image(const Frame& frame,
     if (camera)
         camera = camera_for(*camera, ranges.size(), registered ? first_size : ranges.size());
     if (!camera) return {};
-    auto straight = ranges;
-    if (has_distortion(*camera))
-        straight = undistorters_[frame.sensor_label].undistort(ranges, *camera, cv::INTER_NEAREST);
-    const auto pinhole = without_distortion(*camera);
+    const auto view = straight_view(*camera);
+    auto straight =
+        undistorters_[frame.sensor_label].undistort(ranges, *camera, view, cv::INTER_NEAREST);
+    const auto& pinhole = view.camera;
     if (!scan.range_is_depth) straight = depth_from_ranges(straight, pinhole);
     if (registered) return with_nan(straight);
     const auto image_from_depth =

@@ -18,6 +18,19 @@ class CObservationStereoImages;
 
 namespace fild
 {
+/** An image of a frame before it was straightened. Value type. */
+struct TakenImage
+{
+    CameraModel camera;  ///< meaningless where the frame has none
+    cv::Matx33d view_from_camera = cv::Matx33d::eye();  ///< to the axes of the frame's camera
+    /** Of this camera's first image: a calibration for it serves images of other sizes with the
+     *  same aspect ratio. */
+    cv::Size first_size;
+};
+
+/** The pose of the right camera of a stereo pair in the left one. */
+RigidTransform left_from_right_of(const mrpt::obs::CObservationStereoImages& stereo);
+
 /** Gives frames what metric poses need: the right image or the depth image, and the camera's pose
  *  on the robot. Not thread-safe: one caller at a time. */
 class MetricContent
@@ -30,15 +43,14 @@ class MetricContent
 
     /** \param frame  of `observation`, with image and camera. Sets depth_defect when there is no
      *  depth to be had.
-     *  \param first_size  of this camera's first image: a calibration for it serves images of
-     *  other sizes with the same aspect ratio.
+     *  \param taken  how the image was taken.
      *  \return path of a right or depth image that is stored outside the rawlog and cannot be
      *  read; empty when there is none such.
      *  A right camera that is calibrated for another image size is not_calibrated, and noted unless
      *  the frame is scaled. */
     std::string add_to(Frame& frame,
                        const mrpt::obs::CObservation& observation,
-                       cv::Size first_size);
+                       const TakenImage& taken);
 
     /** For the user, by sensor label: right cameras that are calibrated for another image size. */
     const std::map<std::string, std::string>& calibration_notes() const
@@ -49,7 +61,7 @@ class MetricContent
  private:
     std::string add_right(Frame& frame,
                           const mrpt::obs::CObservationStereoImages& stereo,
-                          cv::Size first_size);
+                          const TakenImage& left);
     std::string add_depth(Frame& frame,
                           const mrpt::obs::CObservation3DRangeScan& scan,
                           cv::Size first_size);

@@ -104,46 +104,66 @@ Recording paired_by_time(ImagesByTime left, ImagesByTime right)
     return recording;
 }
 
-Recording read_named(const std::string& folder,
-                     const NameForms& forms,
-                     const std::optional<Calibration>& calibration)
+/** Two cameras that recorded by themselves. */
+Recording two_cameras(const ImagesByTime& left, const ImagesByTime& right)
+{
+    auto recording = mono_recording(stamp_images(in_order_of_time(left), {}));
+    if (!right.empty()) recording.right_camera = stamp_images(in_order_of_time(right), {});
+    return recording;
+}
+
+/** The images of a folder, by the text of their time. */
+struct BothImages
+{
+    ImagesByTime left;
+    ImagesByTime right;
+};
+
+/** \throw std::runtime_error when there is no left image, or right ones and no calibration. */
+BothImages read_named(const std::string& folder,
+                      const NameForms& forms,
+                      const std::optional<Calibration>& calibration)
 {
     const auto paths = image_paths_in(folder);
-    const auto left = images_of_form(paths, forms.left);
-    const auto right = images_of_form(paths, forms.right);
-    if (left.empty())
+    BothImages images{images_of_form(paths, forms.left), images_of_form(paths, forms.right)};
+    if (images.left.empty())
         throw std::runtime_error("no image in " + folder + " has a name like " + forms.example +
                                  example_in(folder) + "; name the folder that holds such images");
-    if (right.empty()) return mono_recording(stamp_images(in_order_of_time(left), {}), calibration);
-    check_stereo_calibration(calibration, "take the right images out of " + folder);
-    auto recording = paired_by_time(left, right);
-    recording.calibration = calibration;
-    if (recording.frames.empty())
-        throw std::runtime_error("none of the left images in " + folder + " has a right one of " +
-                                 "the same time, such as " + left.begin()->second.path + " and " +
-                                 right.begin()->second.path +
-                                 "; take the right images away, or rename them");
-    return recording;
+    if (!images.right.empty())
+        check_stereo_calibration(calibration, "take the right images out of " + folder);
+    return images;
 }
 }  // namespace
 
 Recording read_malaga_layout(const std::string& folder,
                              const std::optional<Calibration>& calibration)
 {
-    return read_named(
+    const auto images = read_named(
         folder,
         {{"CAMERA_LEFT_", ""}, {"CAMERA_RIGHT_", ""}, "CAMERA_LEFT_1226322035.529528.jpg"},
         calibration);
+    auto recording = two_cameras(images.left, images.right);
+    recording.calibration = calibration;
+    return recording;
 }
 
 Recording read_newcollege_layout(const std::string& folder,
                                  const std::optional<Calibration>& calibration)
 {
-    return read_named(folder,
-                      {{"StereoImage__", "-left"},
-                       {"StereoImage__", "-right"},
-                       "StereoImage__1225719815.864878-left.pnm"},
-                      calibration);
+    const auto images = read_named(folder,
+                                   {{"StereoImage__", "-left"},
+                                    {"StereoImage__", "-right"},
+                                    "StereoImage__1225719815.864878-left.pnm"},
+                                   calibration);
+    auto recording = images.right.empty() ? two_cameras(images.left, {})
+                                          : paired_by_time(images.left, images.right);
+    recording.calibration = calibration;
+    if (recording.frames.empty())
+        throw std::runtime_error("none of the left images in " + folder + " has a right one of " +
+                                 "the same time, such as " + images.left.begin()->second.path +
+                                 " and " + images.right.begin()->second.path +
+                                 "; take the right images away, or rename them");
+    return recording;
 }
 
 }  // namespace fild

@@ -25,6 +25,17 @@ double rounded(double value)
     return std::round(value * 1000) / 1000;
 }
 
+/** Null without a pair. */
+Json pair_json(const std::optional<PairSummary>& pair)
+{
+    if (!pair) return nullptr;
+    return {{"left", pair->left},
+            {"right", pair->right},
+            {"frames_with_right_image", pair->frames_with_right_image},
+            {"frames_without", pair->frames_without},
+            {"right_images_alone", pair->right_images_alone}};
+}
+
 Json frames_json(const RunSummary& summary)
 {
     Json rejections = Json::object();
@@ -43,6 +54,7 @@ Json frames_json(const RunSummary& summary)
             {"match_pictures", summary.match_pictures},
             {"frames_per_similarity_row", summary.frames_per_similarity_row},
             {"ignored_camera_labels", summary.ignored_camera_labels},
+            {"stereo_pair", pair_json(summary.stereo_pair)},
             {"notes", summary.frame_notes}};
 }
 

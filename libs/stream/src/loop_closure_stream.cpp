@@ -26,7 +26,8 @@ TLoopClosureStreamOptions load_stream_options(const std::string& ini_path,
 
 LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
                                      const std::string& rawlog_path)
-    : frames_(options.input,
+    : pairing_(options.input),
+      frames_(options.input,
               rawlog_path,
               options.detector.relative_pose.enabled ? FrameContent::metric : FrameContent::image),
       describer_(options.detector),
@@ -35,6 +36,33 @@ LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
 }
 
 std::optional<FedFrame> LoopClosureStream::feed(const mrpt::obs::CObservation& observation)
+{
+    for (auto& each : pairing_.feed(observation)) ready_.push_back(std::move(each));
+    if (pairing_.takes(observation)) return next();
+    if (ready_.empty()) return look_at(observation);
+    ready_.push_back(
+        std::dynamic_pointer_cast<mrpt::obs::CObservation>(observation.duplicateGetSmartPtr()));
+    return next();
+}
+
+std::optional<FedFrame> LoopClosureStream::next()
+{
+    while (!ready_.empty())
+    {
+        const auto observation = std::move(ready_.front());
+        ready_.pop_front();
+        if (auto fed = look_at(*observation)) return fed;
+    }
+    return std::nullopt;
+}
+
+std::optional<FedFrame> LoopClosureStream::drain()
+{
+    for (auto& each : pairing_.finish()) ready_.push_back(std::move(each));
+    return next();
+}
+
+std::optional<FedFrame> LoopClosureStream::look_at(const mrpt::obs::CObservation& observation)
 {
     if (!frames_.accepts(observation)) return std::nullopt;
     const StageTimer whole(times_, "whole_frame");

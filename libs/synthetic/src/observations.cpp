@@ -29,13 +29,14 @@ using mrpt::obs::CObservation;
 using mrpt::poses::CPose3D;
 using mrpt::poses::CPose3DQuat;
 
-mrpt::obs::CObservationImage::Ptr mono_observation(const TSensorOptions& options,
-                                                   const CImage& image)
+mrpt::obs::CObservationImage::Ptr image_observation(const TSensorOptions& options,
+                                                    const mrpt::math::TPose3D& robot_from_camera,
+                                                    const CImage& image)
 {
     auto observation = mrpt::obs::CObservationImage::Create();
     observation->image = image;
     observation->cameraParams = mrpt_camera_from(camera_of(options));
-    observation->cameraPose = robot_from_mount(options) + mount_from_camera();
+    observation->cameraPose = CPose3D(robot_from_camera);
     return observation;
 }
 
@@ -43,13 +44,17 @@ mrpt::obs::CObservationStereoImages::Ptr stereo_observation(const TSensorOptions
                                                             const CImage& left,
                                                             const CImage& right)
 {
+    const auto cameras = robot_from_cameras(options);
+    const CPose3D robot_from_left(cameras.at(0));
     auto observation = mrpt::obs::CObservationStereoImages::Create();
     observation->imageLeft = left;
     observation->imageRight = right;
     observation->hasImageRight = true;
     observation->leftCamera = observation->rightCamera = mrpt_camera_from(camera_of(options));
-    observation->cameraPose = CPose3DQuat(robot_from_mount(options) + mount_from_camera());
-    observation->rightCameraPose = CPose3DQuat(CPose3D(options.baseline_m, 0, 0, 0, 0, 0));
+    observation->cameraPose = CPose3DQuat(robot_from_left);
+    observation->rightCameraPose = options.toe_in_deg == 0
+                                       ? CPose3DQuat(CPose3D(options.baseline_m, 0, 0, 0, 0, 0))
+                                       : CPose3DQuat(CPose3D(cameras.at(1)) - robot_from_left);
     return observation;
 }
 
@@ -81,36 +86,43 @@ mrpt::obs::CObservation3DRangeScan::Ptr range_observation(const TSensorOptions& 
     return observation;
 }
 
-CObservation::Ptr unstamped_camera_observation(const TSensorOptions& options,
-                                               const std::vector<CImage>& images,
-                                               const cv::Mat& depth)
-{
-    switch (options.sensor)
-    {
-        case SensorKind::stereo:
-            return stereo_observation(options, images.at(0), images.at(1));
-        case SensorKind::rgbd:
-            return range_observation(options, images.at(0), depth);
-        default:
-            return mono_observation(options, images.at(0));
-    }
-}
-
 mrpt::poses::CPose2D planar(const mrpt::math::TPose3D& pose)
 {
     return {pose.x, pose.y, pose.yaw};
 }
 }  // namespace
 
-CObservation::Ptr camera_observation(const TSensorOptions& options,
-                                     mrpt::Clock::time_point stamp,
-                                     const std::vector<CImage>& images,
-                                     const cv::Mat& depth)
+std::vector<CObservation::Ptr> camera_observations(const TSensorOptions& options,
+                                                   mrpt::Clock::time_point stamp,
+                                                   const std::vector<CImage>& images,
+                                                   const cv::Mat& depth)
 {
-    auto observation = unstamped_camera_observation(options, images, depth);
-    observation->timestamp = stamp;
-    observation->sensorLabel = "CAMERA1";
-    return observation;
+    const auto stamped = [&](const CObservation::Ptr& observation, const std::string& label)
+    {
+        observation->timestamp = stamp;
+        observation->sensorLabel = label;
+        return observation;
+    };
+    const auto cameras = robot_from_cameras(options);
+    const std::string only = "CAMERA1";
+    switch (options.sensor)
+    {
+        case SensorKind::mono:
+            return {stamped(image_observation(options, cameras.at(0), images.at(0)), only)};
+        case SensorKind::stereo:
+            return {stamped(stereo_observation(options, images.at(0), images.at(1)), only)};
+        case SensorKind::rgbd:
+            return {stamped(range_observation(options, images.at(0), depth), only)};
+        case SensorKind::pair:
+            break;
+    }
+    const auto left = image_observation(options, cameras.at(0), images.at(0));
+    const auto right = image_observation(options, cameras.at(1), images.at(1));
+    std::vector<CObservation::Ptr> both{stamped(left, "CAMERA_LEFT"),
+                                        stamped(right, "CAMERA_RIGHT")};
+    both[1]->timestamp =
+        mrpt::Clock::fromDouble(mrpt::Clock::toDouble(stamp) + options.right_delay_seconds);
+    return both;
 }
 
 CObservation::Ptr planar_odometry_observation(mrpt::Clock::time_point stamp,

@@ -18,12 +18,14 @@ namespace fild
 // Each of these makes one observation of a frame, with true calibration and sensor poses. `stamp`
 // is the frame's time.
 
-/** \param images  one, or the left and the right one, as they are to stand in the rawlog.
+/** One, or one of each camera of a pair. \param images  one, or the left and the right one, as they
+ *  are to stand in the rawlog.
  *  \param depth  of the first image: float, metres, 0 where there is none; for rgbd only. */
-mrpt::obs::CObservation::Ptr camera_observation(const TSensorOptions& options,
-                                                mrpt::Clock::time_point stamp,
-                                                const std::vector<mrpt::img::CImage>& images,
-                                                const cv::Mat& depth);
+std::vector<mrpt::obs::CObservation::Ptr> camera_observations(
+    const TSensorOptions& options,
+    mrpt::Clock::time_point stamp,
+    const std::vector<mrpt::img::CImage>& images,
+    const cv::Mat& depth);
 
 /** \param start_from_robot  of the odometry, planar. */
 mrpt::obs::CObservation::Ptr planar_odometry_observation(

@@ -2,9 +2,11 @@
 #include "fild/synthetic/synthetic_recording.h"
 
 #include "drawing_threads.h"
+#include "fild/rawlog/pose_conversion.h"
 #include "fild/rawlog/robot_path_file.h"
 #include "fild/synthetic/odometry.h"
 #include "fild/synthetic/road_users.h"
+#include "lens.h"
 #include "observations.h"
 #include "recording_files.h"
 
@@ -12,6 +14,7 @@
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/poses/CPose3DQuat.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <set>
@@ -63,6 +66,15 @@ std::string image_name(std::size_t frame, std::size_t camera, std::size_t camera
     return name.data();
 }
 
+/** What the truth is made with: the camera without its lens. */
+CameraModel pinhole_of(const TSensorOptions& options)
+{
+    auto camera = camera_of(options);
+    camera.lens = LensModel::none;
+    camera.distortion.fill(0);
+    return camera;
+}
+
 std::vector<StampedPose> true_path(const std::vector<RoutePose>& route)
 {
     std::vector<StampedPose> path;
@@ -95,7 +107,8 @@ class Recorder
           road_users_(
               options_.conditions.occluders, whole_route(options_, grid), grid, seed_of(options_)),
           files_(request.rawlog_path, request.embed),
-          loops_(options_.truth, camera_of(options_.sensors))
+          lens_(camera_of(options_.sensors)),
+          loops_(options_.truth, pinhole_of(options_.sensors))
     {
     }
 
@@ -108,6 +121,8 @@ class Recorder
     std::size_t loops() const { return loops_.pairs().size(); }
 
  private:
+    /** Where the robot is when a camera records, of the frame's cameras. */
+    CPose3D map_from_robot(std::size_t frame, std::size_t camera) const;
     void write(std::size_t frame, const DrawnFrame& seen);
     mrpt::obs::CObservation::Ptr odometry_observation(std::size_t frame) const;
 
@@ -116,6 +131,7 @@ class Recorder
     std::vector<TPose3D> odometry_;  ///< start_from_robot of each frame
     RoadUsers road_users_;
     RecordingFiles files_;
+    Lens lens_;
     OverlapLoops loops_;
 };
 
@@ -128,6 +144,22 @@ void Recorder::record(std::size_t frame, const DrawnFrame& seen)
     loops_.add(pose.seconds, map_from_camera.asTPose(), seen.depth);
 }
 
+CPose3D Recorder::map_from_robot(std::size_t frame, std::size_t camera) const
+{
+    const CPose3D now(route_[frame].map_from_robot);
+    const bool is_late = options_.sensors.sensor == SensorKind::pair && camera == 1;
+    if (!is_late || route_.size() < 2) return now;
+    // The last frame goes on as the one before it.
+    const auto& from = route_[std::min(frame, route_.size() - 2)];
+    const auto& to = route_[std::min(frame, route_.size() - 2) + 1];
+    const auto motion =
+        rigid_transform_from(CPose3D(to.map_from_robot) - CPose3D(from.map_from_robot));
+    const double share = options_.sensors.right_delay_seconds / (to.seconds - from.seconds);
+    return now +
+           mrpt_pose_from({rotation_from_vector(share * vector_from_rotation(motion.rotation)),
+                           share * motion.translation});
+}
+
 DrawnFrame Recorder::look(std::size_t frame, const DrawView& draw) const
 {
     const auto& pose = route_[frame];
@@ -137,9 +169,9 @@ DrawnFrame Recorder::look(std::size_t frame, const DrawView& draw) const
     DrawnFrame seen;
     for (std::size_t i = 0; i < cameras.size(); ++i)
     {
-        const auto view = draw(camera_of(options_.sensors),
-                               CPose3D(pose.map_from_robot) + CPose3D(cameras[i]),
-                               conditions);
+        const auto map_from_camera = map_from_robot(frame, i) + CPose3D(cameras[i]);
+        const auto view = lens_.view([&](const CameraModel& pinhole)
+                                     { return draw(pinhole, map_from_camera, conditions); });
         seen.images.push_back(with_image_effects(
             view.image, options_.conditions, seed_of(options_), frame * cameras.size() + i));
         if (i == 0) seen.depth = view.depth;
@@ -161,7 +193,8 @@ void Recorder::write(std::size_t frame, const DrawnFrame& seen)
     if (sensors.gps)
         observations.insert(
             gps_observation(sensors, stamp, pose.map_from_robot, seed_of(options_), frame));
-    observations.insert(camera_observation(sensors, stamp, images, seen.depth));
+    for (const auto& observation : camera_observations(sensors, stamp, images, seen.depth))
+        observations.insert(observation);
     if (sensors.odometry == OdometryKind::action)
     {
         const auto& before = odometry_[frame == 0 ? 0 : frame - 1];

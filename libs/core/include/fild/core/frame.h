@@ -34,6 +34,7 @@ struct RightView
     cv::Mat image;  ///< as Frame::image
     CameraModel camera;  ///< of `image`, a pinhole
     RigidTransform left_from_right;  ///< between the cameras' axes: x right, y down, z forward
+    double seconds_later = 0;  ///< than the left image, by the time stamps; below 0: before it
 };
 
 /** True when two cameras can measure depth: the baseline is finite and at least a millimetre, the

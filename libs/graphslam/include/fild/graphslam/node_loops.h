@@ -109,6 +109,7 @@ class NodeLoops
         RelativeMotion motion;
     };
 
+    void add(const FedFrame& fed);
     Moment add_moment(double timestamp);
     void add_outcome(const DetectorOutcome& outcome);
     const Node& nearest_node(FrameId frame) const;

@@ -70,14 +70,15 @@ Recording read_kitti_layout(const std::string& folder,
                             const TimestampSource& timestamps,
                             const std::optional<Calibration>& calibration);
 
-/** Images named CAMERA_LEFT_<seconds>.jpg, as of the Malaga 2009 data set, with those named
- *  CAMERA_RIGHT_<seconds>.jpg of the same time when there are any; images without a partner are
- * then left out, and counted. Any image extension will do. */
+/** Images named CAMERA_LEFT_<seconds>.jpg, as of the Malaga 2009 data set, and those named
+ *  CAMERA_RIGHT_<seconds>.jpg when there are any: two cameras, each with times of its own, as in the
+ *  data set's own rawlog. Any image extension will do. */
 Recording read_malaga_layout(const std::string& folder,
                              const std::optional<Calibration>& calibration);
 
-/** As read_malaga_layout, for the names StereoImage__<seconds>-left.pnm and -right.pnm of the New
- *  College data set. */
+/** Images named StereoImage__<seconds>-left.pnm, as of the New College data set, with those named
+ *  StereoImage__<seconds>-right.pnm of the same time when there are any; images without a partner
+ *  are then left out, and counted. Any image extension will do. */
 Recording read_newcollege_layout(const std::string& folder,
                                  const std::optional<Calibration>& calibration);
 

@@ -4,6 +4,7 @@
 #include "fild/rawlog/recording.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace fild
@@ -12,14 +13,15 @@ namespace fild
 struct ImageRawlogRequest
 {
     std::string rawlog_path;  ///< must end in ".rawlog"
-    std::string sensor_label = "CAMERA1";
+    /** Nothing: CAMERA1, and of two cameras CAMERA_LEFT and CAMERA_RIGHT. */
+    std::optional<std::string> sensor_label{};
     bool embed = false;  ///< pixels in the rawlog rather than in files beside it
 };
 
 /** What write_image_rawlog() made. Value type. */
 struct ImageRawlogSummary
 {
-    std::size_t frames = 0;
+    std::size_t frames = 0;  ///< of the left camera where there are two
     std::size_t images = 0;  ///< distinct image files, left and right; depth not counted
     std::size_t depth_images = 0;
     std::string images_dir;  ///< empty when the images are embedded
@@ -27,8 +29,9 @@ struct ImageRawlogSummary
 };
 
 /** Writes a recording into a gzipped rawlog, an observation a frame: CObservationImage,
- *  CObservationStereoImages for a stereo pair, CObservation3DRangeScan for an image with depth.
- * Both cameras of a pair get the same camera model. The robot's frame is that of StampedPose, so a
+ *  CObservationStereoImages for a stereo pair, CObservation3DRangeScan for an image with depth. Of
+ *  two cameras that recorded by themselves, each image is a CObservationImage, in the order of time.
+ *  The robot's frame is that of StampedPose, so a
  *  camera's pose on the robot is (0, 0, 0, -90 deg, 0, -90 deg); a range scan's own frame is that
  * of the robot.
  *
@@ -43,7 +46,8 @@ struct ImageRawlogSummary
  *  names only when all are done. Cost: decoding each distinct image (each frame's, when embedded).
  *  Deterministic.
  *  \throw std::invalid_argument when the path does not end in ".rawlog", the label is empty, there
- *         is no frame, or the recording is not as its description wants.
+ *         is no frame, a label is given to two cameras, or the recording is not as its description
+ *         wants.
  *  \throw std::runtime_error naming file and origin: an output exists already, an image is
  *         unreadable, neither 8-bit grey nor 8-bit colour (depth: 16-bit grey), not of the
  *         calibrated size or not of the size of the image beside it; full disk. */

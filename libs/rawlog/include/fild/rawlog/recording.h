@@ -10,12 +10,12 @@
 
 namespace fild
 {
-/** What a camera head recorded at one moment: an image, the left and right image of a rectified
- *  stereo pair, or an image and the depth of each of its pixels. Value type. */
+/** What a camera head recorded at one moment: an image, the left and right image of a stereo pair,
+ *  or an image and the depth of each of its pixels. Value type. */
 struct RecordedFrame
 {
     StampedImage image;  ///< 8 bit, grey or colour; of the left camera where there are two
-    std::optional<ImageFile> right;  ///< 8 bit, the size of `image`
+    std::optional<ImageFile> right;  ///< 8 bit
     std::optional<ImageFile> depth;  ///< 16 bit, the size of `image`; 0: no reading
 };
 
@@ -35,11 +35,14 @@ struct StampedPose
 
 /** Image files on disk and all that is known of them: what a data set's layout is read into, and
  *  what a rawlog is written from. Either all frames have a right image, or all have depth, or none
- *  has either. Value type. */
+ *  has either; and only then may there be images of a right camera that recorded by itself. Value
+ *  type. */
 struct Recording
 {
     std::vector<RecordedFrame> frames;  ///< times grow
-    std::optional<Calibration> calibration;  ///< with right images: there, and with its baseline
+    std::vector<StampedImage> right_camera;  ///< its images; times grow
+    /** With right images: there, and with the right camera's pose. */
+    std::optional<Calibration> calibration;
     double depth_units_per_metre = 1000;  ///< of the depth images' numbers
     std::vector<StampedPose> robot_path;  ///< ground truth; empty: unknown
     std::vector<std::string> left_out;  ///< for the user: "2 left images without a right one"

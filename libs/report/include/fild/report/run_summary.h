@@ -42,6 +42,16 @@ struct MapSummary
     std::vector<std::string> notes;  ///< what the user should know
 };
 
+/** Two cameras that were taken for a stereo pair. Value type. */
+struct PairSummary
+{
+    std::string left;  ///< sensor labels
+    std::string right;
+    std::size_t frames_with_right_image = 0;
+    std::size_t frames_without = 0;
+    std::size_t right_images_alone = 0;  ///< that are in no frame
+};
+
 /** What summary.json says of a run. */
 struct RunSummary
 {
@@ -61,6 +71,7 @@ struct RunSummary
     std::size_t clock_jumps = 0;  ///< of the cameras' time stamps: RecordingClock::jumps()
     std::size_t scaled_frames = 0;  ///< to the size of their camera's first image
     std::vector<std::string> ignored_camera_labels;
+    std::optional<PairSummary> stereo_pair;  ///< of two cameras that record one by one
     std::vector<std::string> frame_notes;  ///< what the user should know of the frames
     double mean_keypoints = 0;
     std::size_t match_pictures = 0;  ///< of loop closures and of rejected pairs

@@ -7,7 +7,10 @@
 #include "fild/detector/loop_detector.h"
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/input_options.h"
+#include "fild/rawlog/stereo_pairing.h"
 
+#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -51,11 +54,13 @@ struct FedFrame
 /** Finds loop closures in a stream of MRPT observations, fed one by one as on a robot.
  *  \code
  *  fild::LoopClosureStream stream(fild::load_stream_options("default.ini"));
- *  if (const auto fed = stream.feed(*observation))
+ *  for (auto fed = stream.feed(*observation); fed; fed = stream.next())
  *      for (const auto& outcome : fed->decided)
  *          if (outcome.verdict.accepted())
  *              std::cout << "back at frame " << to_index(outcome.verdict.candidate->frame) << "\n";
  *  \endcode
+ *  The images of two cameras that are a stereo pair become one frame when both are there, see
+ *  StereoPairing.
  *  With [relative_pose] enabled, and as far as the recording has depth, an accepted loop has its
  *  metric pose (DetectorOutcome::pose).
  *  Deterministic: the same observations and options give the same verdicts, with any num_threads.
@@ -73,19 +78,32 @@ class LoopClosureStream
     explicit LoopClosureStream(const TLoopClosureStreamOptions& options,
                                const std::string& rawlog_path = "");
 
-    /** Looks at one observation. Nothing comes back for observations that are not of the wanted
-     *  camera; every camera frame gets a verdict, in order.
-     *  \throw std::runtime_error as FrameBuilder::build. */
+    /** Takes one observation, and looks at the first frame that is then complete. Nothing comes back
+     *  for observations that are not of the wanted camera, and while an image waits for its partner;
+     *  every camera frame gets a verdict, in order.
+     *  \throw std::runtime_error as FrameBuilder::build and StereoPairing::feed. */
     std::optional<FedFrame> feed(const mrpt::obs::CObservation& observation);
 
-    /** At the end of the recording: the verdicts that still wait for later frames. */
+    /** Looks at the next complete frame, if there is one: an observation can complete several. */
+    std::optional<FedFrame> next();
+
+    /** At the end of the recording, until nothing comes back: as next(), with the images that still
+     *  wait for a partner. */
+    std::optional<FedFrame> drain();
+
+    /** After drain(): the verdicts that still wait for later frames. */
     std::vector<DetectorOutcome> finish() { return detector_.finish(times_); }
 
+    const StereoPairing& pairing() const { return pairing_; }
     const FrameBuilder& frames() const { return frames_; }
     const LoopDetector& detector() const { return detector_; }
     const StageTimes& times() const { return times_; }
 
  private:
+    std::optional<FedFrame> look_at(const mrpt::obs::CObservation& observation);
+
+    StereoPairing pairing_;
+    std::deque<std::shared_ptr<mrpt::obs::CObservation>> ready_;
     FrameBuilder frames_;
     FrameDescriber describer_;
     LoopDetector detector_;

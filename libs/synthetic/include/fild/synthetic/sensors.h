@@ -15,6 +15,7 @@ enum class SensorKind
 {
     mono,  ///< CObservationImage
     stereo,  ///< CObservationStereoImages
+    pair,  ///< two cameras that record one by one: CObservationImage, CAMERA_LEFT and CAMERA_RIGHT
     rgbd  ///< CObservation3DRangeScan: colour, and depth along the optical axis
 };
 
@@ -34,7 +35,11 @@ struct TSensorOptions : Options
     int width = 640;  ///< of each image, pixels
     int height = 480;
     double field_of_view_deg = 80;  ///< horizontal
-    double baseline_m = 0.5;  ///< from the left camera to the right one (sensor = stereo)
+    double baseline_m = 0.5;  ///< from the left camera to the right one (sensor = stereo, pair)
+    double right_delay_seconds = 0.004;  ///< the right image is taken so much later (sensor = pair)
+    double toe_in_deg = 0;  ///< each camera is turned to the other by this (sensor = stereo, pair)
+    double lens_k1 = 0;  ///< distortion of every camera, plumb_bob; not with sensor = rgbd
+    double lens_k2 = 0;
     double camera_height_m = 1.6;  ///< over the road
     double camera_pitch_deg = 0;  ///< positive: the camera looks down
     double max_range_m = 20;  ///< of depth that is measured (sensor = rgbd)
@@ -45,9 +50,13 @@ struct TSensorOptions : Options
 
  protected:
     void describe(OptionVisitor& visitor) override;
+    void check_between_fields() const override;
 };
 
-/** The true intrinsics of every camera: a pinhole, its axis through the middle of the image. */
+/** True for a left and a right camera. */
+bool has_two_cameras(const TSensorOptions& options);
+
+/** The true intrinsics of every camera: its axis through the middle of the image. */
 CameraModel camera_of(const TSensorOptions& options);
 
 /** Where the cameras are on the robot (x forward, y left, z up): x right, y down, z along the
