@@ -49,7 +49,7 @@ RigidTransform parse_right_pose(const std::string& text, const TextLine& line)
                                  "quaternion");
     const auto& n = numbers;
     const mrpt::math::CQuaternionDouble quaternion(n[6], n[3], n[4], n[5]);
-    const auto pose = rigid_transform_from(
+    auto pose = rigid_transform_from(
         mrpt::poses::CPose3D(mrpt::poses::CPose3DQuat(n[0], n[1], n[2], quaternion)));
     if (!is_usable_baseline(pose))
         throw std::runtime_error(line.origin +

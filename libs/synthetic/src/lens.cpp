@@ -60,7 +60,7 @@ Lens::Lens(const CameraModel& camera)
 
 RenderedView Lens::view(const std::function<RenderedView(const CameraModel&)>& draw) const
 {
-    const auto whole = draw(pinhole_);
+    auto whole = draw(pinhole_);
     if (map_x_.empty()) return whole;
     RenderedView seen;
     cv::remap(whole.image, seen.image, map_x_, map_y_, cv::INTER_LINEAR);

@@ -146,7 +146,7 @@ void Recorder::record(std::size_t frame, const DrawnFrame& seen)
 
 CPose3D Recorder::map_from_robot(std::size_t frame, std::size_t camera) const
 {
-    const CPose3D now(route_[frame].map_from_robot);
+    CPose3D now(route_[frame].map_from_robot);
     const bool is_late = options_.sensors.sensor == SensorKind::pair && camera == 1;
     if (!is_late || route_.size() < 2) return now;
     // The last frame goes on as the one before it.
