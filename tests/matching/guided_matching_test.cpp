@@ -157,14 +157,14 @@ TEST(GuidedMatching, DoesNotMatchALoneKeypointWithAnUnrelatedOne)
     EXPECT_EQ(guided().match(from, to).matches.size(), 1U);
 }
 
-TEST(GuidedMatching, LooksNoFartherThanACellAndAHalf)
+TEST(GuidedMatching, LooksNoFartherThanACellAndThreeQuarters)
 {
     auto from = without_keypoints(query().cells);
     auto near = without_keypoints(candidate().cells);
     auto far = near;
     add(from, 2.5, 2.5, code_of(1));
-    add(near, 2.5 + 1.4, 2.5 + kShift, code_of(1));
-    add(far, 2.5 + 1.6, 2.5 + kShift, code_of(1));
+    add(near, 2.5 + 1.7, 2.5 + kShift, code_of(1));
+    add(far, 2.5 + 1.8, 2.5 + kShift, code_of(1));
     EXPECT_EQ(guided().match(from, near).matches.size(), 1U);
     EXPECT_TRUE(guided().match(from, far).matches.empty());
 }
