@@ -75,8 +75,8 @@ class FrameBuilder
      *  With FrameContent::metric the right image of CObservationStereoImages is there; the range
      *  image of CObservation3DRangeScan becomes depths of the pixels of `image`, projected where the
      *  two cameras are not one. `camera_parameters` replaces the calibration of both cameras of a
-     *  pair, and of a depth camera that shares the image's calibration. Where there is no depth, Frame::depth_defect says why; the frame itself is
-     *  none the worse.
+     *  pair, and of a depth camera that shares the image's calibration. Where there is no depth,
+     *  Frame::depth_defect says why; the frame itself is none the worse.
      *  \throw std::invalid_argument when the observation has no camera image.
      *  \throw std::runtime_error when an image is missing and on_missing_image is `stop` (with
      *         FrameContent::metric, a right or depth image stored outside the rawlog too). */
