@@ -25,8 +25,7 @@ struct StereoPairReport
     std::size_t right_alone = 0;  ///< right images that are in no frame
 };
 
-/** Something that the user should know of a camera that has a partner, or could have. Value type.
- *  */
+/** What the user should know of a camera that has a partner, or could have. Value type. */
 struct StereoPairNote
 {
     std::string label;  ///< of the camera without which there is no pair
