@@ -137,8 +137,8 @@ std::string error_of(const std::function<void()>& step)
     return "";
 }
 
-/** As read_all_frames(), then gives the verdicts that wait. An error after the first frame is returned:
- *  what came before is good. */
+/** As read_all_frames(), then gives the verdicts that wait. An error after the first frame is
+ *  returned: what came before is good. */
 std::string read_what_can_be_read(const RunRequest& request, RawlogReader& reader, const Pass& pass)
 {
     Progress progress{request, {request.quiet, "loop closures"}};

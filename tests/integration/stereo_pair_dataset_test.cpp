@@ -97,7 +97,7 @@ CObservationImage::Ptr observation_of(const fs::path& path,
     return observation;
 }
 
-/** The flight's frames as two cameras record them, the right one 3 ms later. */
+/** The flight's frames as two cameras record them that are triggered together. */
 std::vector<Frame> paired_frames(const std::vector<FlightFrame>& flight)
 {
     const auto left = read_head_camera("left");
@@ -113,7 +113,7 @@ std::vector<Frame> paired_frames(const std::vector<FlightFrame>& flight)
     for (const auto& each : flight)
     {
         take(pairing.feed(*observation_of(each.left, "LEFT", each.seconds, left)));
-        take(pairing.feed(*observation_of(each.right, "RIGHT", each.seconds + 0.003, right)));
+        take(pairing.feed(*observation_of(each.right, "RIGHT", each.seconds, right)));
     }
     take(pairing.finish());
     EXPECT_EQ(pairing.report()->paired, flight.size());

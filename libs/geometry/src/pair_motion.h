@@ -9,9 +9,10 @@
 namespace fild
 {
 /** Where the right camera was when it took its image, if that was some time after the left one: the
- *  robot moved meanwhile. Matched keypoints of one point lie on epipolar lines; the pose that brings
- *  them there, robustly, is found near the one that the calibration has, as it is for a robot at some 10 m/s that turns at some
- *  0.3 rad/s. The length of the baseline is not seen and stays.
+ *  robot moved meanwhile. Matched keypoints of one point lie on epipolar lines; the pose that
+ *  brings them there, robustly, is found near the one that the calibration has, as it is for a
+ *  robot at some 10 m/s that turns at some 0.3 rad/s. The length of the baseline is not seen and
+ *  stays.
  *  \param frame  with a right view.
  *  \param left,right  pixels of the two images. \param matches  Match::query of left,
  *  Match::candidate of right; may hold wrong ones.

@@ -27,8 +27,8 @@ std::optional<PatchFit> fit_patch(
     const cv::Mat& left, const cv::Mat& right, const cv::Point2d& pixel, double start, int side);
 
 /** How far below its row the patch is in the right image, pixels, where that is up to two: by least
- *  squares, together with a change of the disparity. \return nothing where a patch leaves its image,
- *  has no texture in both directions, or the fit runs away. Deterministic. */
+ *  squares, together with a change of the disparity. \return nothing where a patch leaves its
+ *  image, has no texture in both directions, or the fit runs away. Deterministic. */
 std::optional<double> row_shift(const cv::Mat& left,
                                 const cv::Mat& right,
                                 const cv::Point2d& pixel,

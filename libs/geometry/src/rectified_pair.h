@@ -25,8 +25,8 @@ struct RectifiedPair
 };
 
 /** \param frame  with a calibrated left and right image.
- *  \param left_from_right  that of the frame, or as it was when the images were taken; with a usable
- *  baseline. */
+ *  \param left_from_right  that of the frame, or as it was when the images were taken; with a
+ *  usable baseline. */
 RectifiedPair rectified_pair(const Frame& frame, const RigidTransform& left_from_right);
 
 /** Pixels through a homography. */

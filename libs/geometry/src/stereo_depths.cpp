@@ -83,7 +83,8 @@ MatchedPair matched_at(const Frame& frame,
     return {std::move(pair), std::move(matches)};
 }
 
-/** As pose_of_moved_right(), by patches rather than keypoints: these are some tenths of a pixel off. */
+/** As pose_of_moved_right(), by patches rather than keypoints: these are some tenths of a pixel
+ *  off. */
 RigidTransform pose_by_patches(const Frame& frame,
                                const MatchedPair& matched,
                                const HashedFeatures& left,

@@ -7,8 +7,8 @@
 
 namespace fild
 {
-/** Views in which a point has the same row in both images of a stereo pair (the same column when the
- *  right camera stands above or below the left one). Value type. */
+/** Views in which a point has the same row in both images of a stereo pair (the same column when
+ *  the right camera stands above or below the left one). Value type. */
 struct Rectification
 {
     PinholeView left;
@@ -26,8 +26,8 @@ struct Rectification
  *  \param left_from_right  with a usable baseline, see is_usable_baseline(). */
 PinholeView rectified_left(const CameraModel& left, const RigidTransform& left_from_right);
 
-/** Both views. The right one has the size and intrinsics of the left one, unless the right camera is
- *  rectified as it is. */
+/** Both views. The right one has the size and intrinsics of the left one, unless the right camera
+ *  is rectified as it is. */
 Rectification rectify(const CameraModel& left,
                       const CameraModel& right,
                       const RigidTransform& left_from_right);

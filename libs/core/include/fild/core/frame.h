@@ -45,7 +45,8 @@ bool is_usable_baseline(const RigidTransform& left_from_right);
 /** One camera frame as the detector sees it.
  *
  *  `image` is 8 bit, one channel (grey) or three (BGR, OpenCV's order), lens distortion already
- *  undone where that was asked for. Value type; copies share the pixels, as cv::Mat does. */
+ *  undone, and a stereo pair rectified, where that was asked for. Value type; copies share the
+ *  pixels, as cv::Mat does. */
 struct Frame
 {
     FrameId id{};  ///< position among all camera frames of the run, from 0

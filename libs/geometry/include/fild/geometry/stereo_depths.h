@@ -16,8 +16,8 @@ namespace fild
  *  slant of the surface and a change of brightness (W. Förstner, "On the geometric precision of
  *  digital correlation", ISPRS 1982; A. Grün, "Adaptive least squares correlation", 1985). The fit
  *  gives disparity and standard deviation to a part of a pixel; where the patches do not correlate
- *  the depth is unknown. Where the right image was taken later (RightView::seconds_later), the movement
- *  since then is estimated from the matches first. Deterministic.
+ *  the depth is unknown. Where the right image was taken later (RightView::seconds_later), the
+ *  movement since then is estimated from the matches first. Deterministic.
  *
  *  \param frame  with Frame::right.
  *  \param left,right  keypoints of frame.image and of frame.right->image, by the same extractor and

@@ -25,10 +25,10 @@ struct Calibration
 };
 
 /** Reads a calibration file: the line of parse_camera_model, then for a stereo pair the line
- *  `baseline METRES`, or `right_pose X Y Z QX QY QZ QW`, the pose of the right camera in the left one
- *  (x right, y down, z forward), and where the right camera is another, `right` and its numbers as in
- *  the first line. With one camera those lines are allowed and say nothing, so that one file serves
- *  both. Blank lines and lines that begin with `#` are passed over.
+ *  `baseline METRES`, or `right_pose X Y Z QX QY QZ QW`, the pose of the right camera in the left
+ *  one (x right, y down, z forward), and where the right camera is another, `right` and its numbers
+ *  as in the first line. With one camera those lines are allowed and say nothing, so that one file
+ *  serves both. Blank lines and lines that begin with `#` are passed over.
  *  \throw std::runtime_error naming file and line. */
 Calibration read_calibration_file(const std::string& path);
 

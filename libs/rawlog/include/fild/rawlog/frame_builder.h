@@ -69,12 +69,14 @@ class FrameBuilder
      *  image_size_changed: the aspect ratios differ by a factor of more than 1.5, or the sizes by
      *  more than 8.
      *
-     *  With FrameContent::metric the right image of CObservationStereoImages is undistorted as the
-     *  left one is; the range image of CObservation3DRangeScan becomes depths of the pixels of
-     *  `image`, projected where the two cameras are not one. `camera_parameters` replaces the
-     *  calibration of both cameras of a pair, and of a depth camera that shares the image's
-     *  calibration. Where there is no depth, Frame::depth_defect says why; the frame itself is
-     *  none the worse.
+     *  Stereo pairs with a usable baseline are rectified where `undistort` is set: the left image
+     *  is what the left camera shows when it is turned so that the right one stands beside it (or
+     *  below it) along an axis, and Frame::robot_from_camera has that turn; with a right image or
+     *  without. With FrameContent::metric the right image of CObservationStereoImages is there; the
+     *  range image of CObservation3DRangeScan becomes depths of the pixels of `image`, projected
+     *  where the two cameras are not one. `camera_parameters` replaces the calibration of both
+     *  cameras of a pair, and of a depth camera that shares the image's calibration. Where there is
+     *  no depth, Frame::depth_defect says why; the frame itself is none the worse.
      *  \throw std::invalid_argument when the observation has no camera image.
      *  \throw std::runtime_error when an image is missing and on_missing_image is `stop` (with
      *         FrameContent::metric, a right or depth image stored outside the rawlog too). */

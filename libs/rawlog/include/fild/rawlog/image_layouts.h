@@ -71,8 +71,8 @@ Recording read_kitti_layout(const std::string& folder,
                             const std::optional<Calibration>& calibration);
 
 /** Images named CAMERA_LEFT_<seconds>.jpg, as of the Malaga 2009 data set, and those named
- *  CAMERA_RIGHT_<seconds>.jpg when there are any: two cameras, each with times of its own, as in the
- *  data set's own rawlog. Any image extension will do. */
+ *  CAMERA_RIGHT_<seconds>.jpg when there are any: two cameras, each with times of its own, as in
+ *  the data set's own rawlog. Any image extension will do. */
 Recording read_malaga_layout(const std::string& folder,
                              const std::optional<Calibration>& calibration);
 

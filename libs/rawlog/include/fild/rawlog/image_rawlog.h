@@ -30,10 +30,9 @@ struct ImageRawlogSummary
 
 /** Writes a recording into a gzipped rawlog, an observation a frame: CObservationImage,
  *  CObservationStereoImages for a stereo pair, CObservation3DRangeScan for an image with depth. Of
- *  two cameras that recorded by themselves, each image is a CObservationImage, in the order of time.
- *  The robot's frame is that of StampedPose, so a
- *  camera's pose on the robot is (0, 0, 0, -90 deg, 0, -90 deg); a range scan's own frame is that
- * of the robot.
+ *  two cameras that recorded by themselves, each image is a CObservationImage, in the order of
+ *  time. The robot's frame is that of StampedPose, so a camera's pose on the robot is (0, 0, 0, -90
+ *  deg, 0, -90 deg); a range scan's own frame is that of the robot.
  *
  *  Unless embedded, each distinct image file is put once into `NAME_Images` beside `NAME.rawlog`,
  * by hard link where the file system allows it (so one must not edit it in place), else as a copy.

@@ -11,8 +11,8 @@
 
 namespace fild
 {
-/** Reads a rawlog as RawlogReader does, two cameras that are a stereo pair as one: for a second pass
- *  over what was given to a LoopClosureStream, with the same frames.
+/** Reads a rawlog as RawlogReader does, two cameras that are a stereo pair as one: for a second
+ *  pass over what was given to a LoopClosureStream, with the same frames.
  *  Not thread-safe: one caller at a time. */
 class PairedRawlog
 {

@@ -25,7 +25,7 @@ struct StereoPairReport
     std::size_t right_alone = 0;  ///< right images that are in no frame
 };
 
-/** Something that the user should know of a camera that has a partner, or could have. Value type. */
+/** What the user should know of a camera that has a partner, or could have. Value type. */
 struct StereoPairNote
 {
     std::string label;  ///< of the camera without which there is no pair
@@ -38,15 +38,16 @@ struct StereoPairNote
  *
  *  The cameras are those that [input] stereo_labels names. Without names they are the first two
  *  calibrated cameras that look the same way, to 20 degrees, from places beside each other (see
- *  is_usable_baseline()), with images within stereo_tolerance_seconds; the left one must be one that
- *  sensor_label takes. Until such two are found, up to four images of each calibrated camera are
- *  held back; after that all go on as they are, until two are found.
+ *  is_usable_baseline()), with images within stereo_tolerance_seconds; the left one must be one
+ *  that sensor_label takes. Until such two are found, up to four images of each calibrated camera
+ *  are held back; after that all go on as they are, until two are found.
  *
  *  A left image and a right one belong together when their stamps differ by no more than the
  *  tolerance, and by no more than half the usual time between two left images; of several the
  *  nearest. Either may come first. A left image whose right one cannot come any more, or waits
- *  behind eight others, becomes a CObservationStereoImages without a right image (before the right camera was seen, it
- *  goes on as it is); a right image alone is dropped. Embedded images are shared, not copied.
+ *  behind eight others, becomes a CObservationStereoImages without a right image (before the right
+ *  camera was seen, it goes on as it is); a right image alone is dropped. Embedded images are
+ *  shared, not copied.
  *  Deterministic. Not thread-safe: one caller at a time. */
 class StereoPairing
 {
@@ -59,7 +60,8 @@ class StereoPairing
     StereoPairing& operator=(const StereoPairing&) = delete;
     ~StereoPairing();
 
-    /** True for an observation that feed() is to see: a CObservationImage, unless pairing is off. */
+    /** True for an observation that feed() is to see: a CObservationImage, unless pairing is off.
+     *  */
     bool takes(const mrpt::obs::CObservation& observation) const;
 
     /** \param observation  that takes() is true for. Its image must not be changed afterwards.

@@ -78,9 +78,9 @@ class LoopClosureStream
     explicit LoopClosureStream(const TLoopClosureStreamOptions& options,
                                const std::string& rawlog_path = "");
 
-    /** Takes one observation, and looks at the first frame that is then complete. Nothing comes back
-     *  for observations that are not of the wanted camera, and while an image waits for its partner;
-     *  every camera frame gets a verdict, in order.
+    /** Takes one observation, and looks at the first frame that is then complete. Nothing comes
+     *  back for observations that are not of the wanted camera, and while an image waits for its
+     *  partner; every camera frame gets a verdict, in order.
      *  \throw std::runtime_error as FrameBuilder::build and StereoPairing::feed. */
     std::optional<FedFrame> feed(const mrpt::obs::CObservation& observation);
 
