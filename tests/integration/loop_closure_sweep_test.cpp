@@ -230,7 +230,7 @@ TEST_F(Sweep, KeepsEarlierResultsWhenInterruptedBeforeTheFirstPoint)
     ASSERT_EQ(sweep("--output out").exit_code, 0);
     const auto before = output("sweep.csv");
     const auto finished =
-        command("timeout --signal=INT 1 '" LOOP_CLOSURE_EVAL
+        command("timeout --signal=INT 4 '" LOOP_CLOSURE_EVAL
                 "' --rawlog run.rawlog --config run.ini --ground-truth loops.txt --seeds 1-1000 "
                 "--output out");
     EXPECT_NE(finished.exit_code, 0);

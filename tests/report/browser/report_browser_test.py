@@ -265,10 +265,11 @@ class Report(PageTest):
                 self.browser.element("#filter-frame").send_keys("100-140")
                 before = self.browser.run(widths)
                 buttons = self.browser.driver.find_elements("css selector", "#frames tbody td button")
-                for button in buttons[:2]:
+                for count, button in enumerate(buttons[:2], 1):
                     self.browser.show(button)
                     button.click()  # as the mouse does: what covers it would be named
-                self.browser.wait_for("return document.querySelectorAll('#frames figure img').length === 2")
+                    self.browser.wait_for("return [...document.querySelectorAll('#frames figure img')]"
+                                          f".filter(image => image.naturalWidth > 0).length === {count}")
                 self.assertEqual(self.browser.run(widths), before)
                 seen = self.browser.run("return document.querySelector('#frames figure').getBoundingClientRect().width")
                 self.assertLessEqual(seen, width)
