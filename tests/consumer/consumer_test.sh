@@ -44,10 +44,11 @@ cmake --build "$work/example/build"
 
 "$python" "$here/draw_two_laps.py" "$work/images" "$frames_per_lap"
 "$prefix/bin/images-to-rawlog" --images "$work/images" --rate 1 --output "$work/wall.rawlog"
-# The shipped configuration with the tests' network, which tells little: all frames are candidates.
+# The shipped configuration with the tests' network, which tells little: all frames are candidates, and
+# all keypoints are compared.
 sed -e "s|^model_file = .*|model_file = $tiny_network|" -e 's/^\(cell_layer\|layers\) = .*/\1 = map/' \
   -e 's/^input_\(width\|height\) = .*/input_\1 = 4/' -e 's/^dimension = .*/dimension = 8/' \
-  -e 's/^delay_seconds = .*/delay_seconds = 5/' -e 's/^candidates = .*/candidates = 16/' \
+  -e 's/^delay_seconds = .*/delay_seconds = 5/' -e 's/^candidates = .*/candidates = 16/' -e 's/^search = .*/search = exhaustive/' \
   "$prefix/share/mrpt-fild/config-ini/default.ini" > "$work/wall.ini"
 "$work/example/build/example" "$work/wall.rawlog" "$work/wall.ini" > "$work/found.txt"
 for ((i = 0; i < frames_per_lap; ++i)); do

@@ -16,10 +16,11 @@ trap 'rm -rf "$work"' EXIT
 frames_per_lap=8
 failures=0
 
-# The shipped configuration with the tests' network, which tells little: all frames are candidates.
+# The shipped configuration with the tests' network, which tells little: all frames are candidates, and
+# all keypoints are compared.
 sed -e "s|^model_file = .*|model_file = $tiny_network|" -e 's/^\(cell_layer\|layers\) = .*/\1 = map/' \
   -e 's/^input_\(width\|height\) = .*/input_\1 = 4/' -e 's/^dimension = .*/dimension = 8/' \
-  -e 's/^delay_seconds = .*/delay_seconds = 35/' -e 's/^candidates = .*/candidates = 16/' \
+  -e 's/^delay_seconds = .*/delay_seconds = 35/' -e 's/^candidates = .*/candidates = 16/' -e 's/^search = .*/search = exhaustive/' \
   "$source_dir/config-ini/default.ini" > "$work/wall.ini"
 sed -e 's/^delay_seconds = .*/delay_seconds = 7/' "$work/wall.ini" > "$work/wall_at_one_hertz.ini"
 export DATASET_CONFIG=$work/wall.ini
