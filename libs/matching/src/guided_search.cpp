@@ -33,6 +33,12 @@ std::vector<CellPosition> in_cells(const HashedFeatures& features)
     return positions;
 }
 
+std::size_t index_of_cell(int row, int column, int columns)
+{
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+}
+
 /** Keypoints by the cell that they are in. */
 class KeypointsOfCells
 {
@@ -77,10 +83,7 @@ class KeypointsOfCells
         return std::clamp(static_cast<int>(std::floor(x)), 0, columns_ - 1);
     }
 
-    std::size_t index_of(int row, int column) const
-    {
-        return static_cast<std::size_t>(row * columns_ + column);
-    }
+    std::size_t index_of(int row, int column) const { return index_of_cell(row, column, columns_); }
 
     std::vector<CellPosition> positions_;
     int rows_;
@@ -98,7 +101,7 @@ std::optional<CellPosition> mean_shift(const CellMotion& motion, int row, int co
              j <= std::min(motion.columns - 1, column + kReach);
              ++j)
         {
-            const auto& shift = motion.shifts[static_cast<std::size_t>(i * motion.columns + j)];
+            const auto& shift = motion.shifts[index_of_cell(i, j, motion.columns)];
             const int squared = (i - row) * (i - row) + (j - column) * (j - column);
             if (!shift || squared > kReach * kReach) continue;
             const double weight = std::exp(-0.5 * squared);
