@@ -163,8 +163,8 @@ TEST(GuidedMatching, LooksNoFartherThanACellAndThreeQuarters)
     auto near = without_keypoints(candidate().cells);
     auto far = near;
     add(from, 2.5, 2.5, code_of(1));
-    add(near, 2.5 + 1.7, 2.5 + kShift, code_of(1));
-    add(far, 2.5 + 1.8, 2.5 + kShift, code_of(1));
+    add(near, 2.5 + 1.69, 2.5 + kShift, code_of(1));
+    add(far, 2.5 + 1.71, 2.5 + kShift, code_of(1));
     EXPECT_EQ(guided().match(from, near).matches.size(), 1U);
     EXPECT_TRUE(guided().match(from, far).matches.empty());
 }
