@@ -60,7 +60,7 @@ std::string why_all_are_early(const std::vector<FrameVerdict>& verdicts, const T
            "wrong, set [index] frame_rate";
 }
 
-/** Of a camera without which there is no pair, the pair's note is enough. */
+/** A camera that has a note about its pair gets no second one. */
 std::vector<std::string> notes_on_cameras(const RunSummary& summary, const StereoPairing& pairing)
 {
     std::vector<std::string> notes;

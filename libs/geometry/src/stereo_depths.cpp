@@ -10,8 +10,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace fild
@@ -51,76 +51,100 @@ double depth_of(const RectifiedPair& pair, const cv::Point2d& pixel, double disp
     return z * (pair.camera_from_rectified * ray)[2];
 }
 
-struct MatchedPair
+/** A rectified pair, and its keypoints matched on its rows. */
+struct MatchedRows
 {
     RectifiedPair pair;
+    std::vector<cv::Point2d> left;  ///< keypoints in the rectified left image
+    std::vector<cv::Point2d> right;
     std::vector<Match> matches;
 };
 
-std::vector<Match> matches_of(const RectifiedPair& pair,
-                              const HashedFeatures& left,
-                              const HashedFeatures& right,
-                              const TDepthOptions& options)
-{
-    const RowSearch search{options.max_row_error_px,
-                           pair.focal_px * pair.baseline_m / options.min_depth_m,
-                           options.stereo_ratio};
-    return match_on_rows(transformed(left.positions, pair.left_pixel_from_raw),
-                         left.codes,
-                         transformed(right.positions, pair.right_pixel_from_raw),
-                         right.codes,
-                         search);
-}
-
-MatchedPair matched_at(const Frame& frame,
+MatchedRows matched_at(const Frame& frame,
                        const RigidTransform& left_from_right,
                        const HashedFeatures& left,
                        const HashedFeatures& right,
                        const TDepthOptions& options)
 {
-    auto pair = rectified_pair(frame, left_from_right);
-    auto matches = matches_of(pair, left, right, options);
-    return {std::move(pair), std::move(matches)};
+    MatchedRows rows;
+    rows.pair = rectified_pair(frame, left_from_right);
+    rows.left = transformed(left.positions, rows.pair.left_pixel_from_raw);
+    rows.right = transformed(right.positions, rows.pair.right_pixel_from_raw);
+    const RowSearch search{options.max_row_error_px,
+                           rows.pair.focal_px * rows.pair.baseline_m / options.min_depth_m,
+                           options.stereo_ratio};
+    rows.matches = match_on_rows(rows.left, left.codes, rows.right, right.codes, search);
+    return rows;
 }
+
+/** Compares the patches about matched keypoints. */
+class MatchedPatches
+{
+ public:
+    MatchedPatches(const MatchedRows& rows, const TDepthOptions& options)
+        : rows_(rows),
+          left_(smooth(rows.pair.left)),
+          right_(smooth(rows.pair.right)),
+          side_(options.patch_px),
+          min_correlation_(options.min_correlation)
+    {
+    }
+
+    /** Nothing where the patches do not correlate. */
+    std::optional<PatchFit> fit(const Match& match) const
+    {
+        const auto& pixel = rows_.left[match.query];
+        const double start = pixel.x - rows_.right[match.candidate].x;
+        const auto fitted = fit_patch(left_, right_, pixel, start, side_);
+        if (!fitted || fitted->correlation < min_correlation_) return std::nullopt;
+        return fitted;
+    }
+
+    std::optional<double> shift_of_row(const Match& match, const PatchFit& fitted) const
+    {
+        return row_shift(left_, right_, rows_.left[match.query], fitted, side_);
+    }
+
+ private:
+    const MatchedRows& rows_;
+    cv::Mat left_;
+    cv::Mat right_;
+    int side_;
+    double min_correlation_;
+};
 
 /** As pose_of_moved_right(), by patches rather than keypoints: these are some tenths of a pixel
  *  off. */
 RigidTransform pose_by_patches(const Frame& frame,
-                               const MatchedPair& matched,
+                               const MatchedRows& rows,
                                const HashedFeatures& left,
-                               const HashedFeatures& right,
                                const TDepthOptions& options)
 {
     constexpr double kPixel = 0.1;
-    const auto& pair = matched.pair;
-    const auto left_image = smooth(pair.left);
-    const auto right_image = smooth(pair.right);
-    const auto in_left = transformed(left.positions, pair.left_pixel_from_raw);
-    const auto in_right = transformed(right.positions, pair.right_pixel_from_raw);
+    const MatchedPatches patches(rows, options);
     std::vector<PixelPosition> left_pixels;
     std::vector<PixelPosition> right_pixels;
     std::vector<Match> fitted;
-    for (const auto& match : matched.matches)
+    for (const auto& match : rows.matches)
     {
-        const auto& pixel = in_left[match.query];
-        const double start = pixel.x - in_right[match.candidate].x;
-        const auto fit = fit_patch(left_image, right_image, pixel, start, options.patch_px);
-        if (!fit || fit->correlation < options.min_correlation) continue;
-        const auto shift = row_shift(left_image, right_image, pixel, *fit, options.patch_px);
+        const auto fit = patches.fit(match);
+        if (!fit) continue;
+        const auto shift = patches.shift_of_row(match, *fit);
         if (!shift) continue;
+        const auto& pixel = rows.left[match.query];
         left_pixels.push_back(left.positions[match.query]);
         right_pixels.push_back({static_cast<float>(pixel.x - fit->disparity_px),
                                 static_cast<float>(pixel.y + *shift)});
         fitted.push_back({fitted.size(), fitted.size(), 0});
     }
-    const auto raw = transformed(right_pixels, pair.right_pixel_from_raw.inv());
+    const auto raw = transformed(right_pixels, rows.pair.right_pixel_from_raw.inv());
     for (std::size_t i = 0; i < raw.size(); ++i)
         right_pixels[i] = {static_cast<float>(raw[i].x), static_cast<float>(raw[i].y)};
     return pose_of_moved_right(frame, left_pixels, right_pixels, fitted, kPixel);
 }
 
 /** Rectified, and matched on its rows, as the cameras were when they took the images. */
-MatchedPair matched_pair(const Frame& frame,
+MatchedRows matched_pair(const Frame& frame,
                          const HashedFeatures& left,
                          const HashedFeatures& right,
                          const TDepthOptions& options)
@@ -132,7 +156,7 @@ MatchedPair matched_pair(const Frame& frame,
         pose_of_moved_right(frame, left.positions, right.positions, matched.matches, kPixel);
     if (!is_usable_baseline(moved)) return matched;
     matched = matched_at(frame, moved, left, right, options);
-    const auto refined = pose_by_patches(frame, matched, left, right, options);
+    const auto refined = pose_by_patches(frame, matched, left, options);
     return is_usable_baseline(refined) ? matched_at(frame, refined, left, right, options) : matched;
 }
 }  // namespace
@@ -152,20 +176,14 @@ KeypointDepths depths_from_stereo(const Frame& frame,
     depths.deviations_m.assign(left.positions.size(), kNoDepth);
 
     const auto matched = matched_pair(frame, left, right, options);
-    const auto& pair = matched.pair;
-    const auto left_image = smooth(pair.left);
-    const auto right_image = smooth(pair.right);
-    const auto in_left = transformed(left.positions, pair.left_pixel_from_raw);
-    const auto in_right = transformed(right.positions, pair.right_pixel_from_raw);
+    const MatchedPatches patches(matched, options);
     for (const auto& match : matched.matches)
     {
-        const auto& pixel = in_left[match.query];
-        const double start = pixel.x - in_right[match.candidate].x;
-        const auto fit = fit_patch(left_image, right_image, pixel, start, options.patch_px);
-        if (!fit || fit->correlation < options.min_correlation) continue;
+        const auto fit = patches.fit(match);
+        if (!fit) continue;
         const double relative_deviation =
             std::hypot(options.disparity_deviation_px, fit->deviation_px) / fit->disparity_px;
-        const double z = depth_of(pair, pixel, fit->disparity_px);
+        const double z = depth_of(matched.pair, matched.left[match.query], fit->disparity_px);
         if (!(fit->disparity_px > 0) || !(relative_deviation <= options.max_relative_deviation) ||
             !(z >= options.min_depth_m))
             continue;

@@ -71,7 +71,8 @@ RigidTransform camera_movement(const RigidTransform& robot, const RigidTransform
     return robot_from_camera.inverse() * robot * robot_from_camera;
 }
 
-/** A pose of any size of its error: with depths of a wrong scale both grow alike. */
+/** Accepts a pose however large its error is: where depths have a wrong scale, the error grows with
+ *  them. */
 TDetectorOptions of_any_scale(const TDetectorOptions& options)
 {
     constexpr double kLargestAllowed = 1000;  // m

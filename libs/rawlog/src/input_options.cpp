@@ -3,6 +3,7 @@
 
 #include "camera_labels.h"
 #include "fild/core/camera_model.h"
+#include "text_lines.h"
 
 #include <regex>
 #include <stdexcept>
@@ -11,14 +12,6 @@ namespace fild
 {
 namespace
 {
-std::string trimmed(const std::string& text)
-{
-    constexpr const char* kBlanks = " \t";
-    const auto first = text.find_first_not_of(kBlanks);
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 /** \throw std::invalid_argument unless the text is empty, `none` or two labels. */
 void check_stereo_labels(const TInputOptions& options)
 {
@@ -39,8 +32,8 @@ std::optional<StereoLabels> TInputOptions::named_pair() const
     const auto comma = stereo_labels.find(',');
     if (comma == std::string::npos || stereo_labels.find(',', comma + 1) != std::string::npos)
         return std::nullopt;
-    StereoLabels labels{trimmed(stereo_labels.substr(0, comma)),
-                        trimmed(stereo_labels.substr(comma + 1))};
+    StereoLabels labels{trim(stereo_labels.substr(0, comma)),
+                        trim(stereo_labels.substr(comma + 1))};
     if (labels.left.empty() || labels.right.empty() || labels.left == labels.right)
         return std::nullopt;
     return labels;

@@ -21,7 +21,7 @@ namespace fild
 /** An image of a frame before it was straightened. Value type. */
 struct TakenImage
 {
-    CameraModel camera;  ///< meaningless where the frame has none
+    CameraModel camera;  ///< not set when the frame has no camera
     cv::Matx33d view_from_camera = cv::Matx33d::eye();  ///< to the axes of the frame's camera
     /** Of this camera's first image: a calibration for it serves images of other sizes with the
      *  same aspect ratio. */

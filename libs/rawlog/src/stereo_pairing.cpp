@@ -148,8 +148,8 @@ void StereoPairing::State::check_named_pair()
 {
     if (is_checked || !pair->left_camera || !pair->right_camera) return;
     is_checked = true;
-    const bool is_calibrated = !options.camera_parameters.empty();
-    pair->fit = fit_of_pair(*pair->left_camera, *pair->right_camera, is_calibrated);
+    pair->fit =
+        fit_of_pair(*pair->left_camera, *pair->right_camera, !options.camera_parameters.empty());
     const auto& [left, right] = pair->labels;
     if (pair->fit == PairFit::second_is_left)
         throw std::runtime_error(

@@ -47,7 +47,6 @@ double y_of(double precision)
     return kTop + (1 - precision) * kSide;
 }
 
-/** As short as it can be: 0.2, 40. */
 std::string to_text(double number, int decimals)
 {
     std::ostringstream text;

@@ -31,7 +31,7 @@ struct CellMotion
  *  agrees when two or more of the eight cells about it are matched and have moved as it has, to within
  *  one row and one column. Chance leaves few: what is alike stands in another order.
  *  Costs cells x cells code comparisons. Deterministic: among equal distances the lower index wins.
- *  \return no cells when either has none.
+ *  \return an empty motion when either image has no cells.
  *  \throw std::invalid_argument when the codes differ in length. */
 CellMotion cell_motion(const CellCodes& query, const CellCodes& candidate);
 

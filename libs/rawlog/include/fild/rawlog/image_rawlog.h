@@ -45,8 +45,8 @@ struct ImageRawlogSummary
  *  names only when all are done. Cost: decoding each distinct image (each frame's, when embedded).
  *  Deterministic.
  *  \throw std::invalid_argument when the path does not end in ".rawlog", the label is empty, there
- *         is no frame, a label is given to two cameras, or the recording is not as its description
- *         wants.
+ *         is no frame, sensor_label is set although there are two cameras, or the recording breaks
+ *         a rule of its docstring.
  *  \throw std::runtime_error naming file and origin: an output exists already, an image is
  *         unreadable, neither 8-bit grey nor 8-bit colour (depth: 16-bit grey), not of the
  *         calibrated size or not of the size of the image beside it; full disk. */

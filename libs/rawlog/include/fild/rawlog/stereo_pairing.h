@@ -28,7 +28,7 @@ struct StereoPairReport
 /** What the user should know of a camera that has a partner, or could have. Value type. */
 struct StereoPairNote
 {
-    std::string label;  ///< of the camera without which there is no pair
+    std::string label;  ///< of the camera that the pair lacks
     std::string text;
 };
 
