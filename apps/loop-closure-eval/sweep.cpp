@@ -205,7 +205,8 @@ std::optional<RunResults> detect(const Recording& recording,
 {
     options.runtime.num_threads = 1;  // the runs themselves are side by side
     const FrameHasher hasher(options);
-    LoopDetector detector(options, recording.global_dimension);
+    PlaceMap places;
+    LoopDetector detector(options, recording.global_dimension, places);
     RunResults results;
     results.answers.emplace();
     const auto add = [&](std::vector<DetectorOutcome> outcomes)

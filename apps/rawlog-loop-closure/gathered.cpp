@@ -27,7 +27,7 @@ Gathered::Gathered(const OutputFolder& folder, const TRunOptions& options)
 
 void Gathered::add_costs(FrameId frame, const LoopClosureStream& stream)
 {
-    costs.add(frame, stream.times(), stream.detector().map_bytes());
+    costs.add(frame, stream.times(), stream.map_bytes());
 }
 
 void Gathered::add(const DetectorOutcome& outcome)

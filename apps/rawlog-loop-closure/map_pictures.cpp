@@ -74,7 +74,7 @@ void add_judgements(DrawnMap& drawn, const std::vector<JudgedFrame>& frames)
 }
 
 std::vector<DrawnCamera> cameras_of(const Map& map,
-                                    const LoopDetector& detector,
+                                    const PlaceMap& places,
                                     const TRenderOptions& options,
                                     const TInputOptions& input,
                                     const std::string& rawlog)
@@ -85,7 +85,7 @@ std::vector<DrawnCamera> cameras_of(const Map& map,
     for (const auto i :
          spread_indices(static_cast<std::size_t>(options.max_map_cameras), nodes.size()))
     {
-        const auto* place = detector.find_place(nodes[i].frame);
+        const auto* place = places.find(nodes[i].frame);
         if (place == nullptr || !place->metric.camera) continue;
         const auto robot_from_camera = place->metric.robot_from_camera.value_or(RigidTransform());
         cameras[nodes[i].frame] = {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "fild/core/verdict.h"
-#include "fild/detector/loop_detector.h"
 #include "fild/evaluation/frame_poses.h"
 #include "fild/evaluation/judged_frame.h"
 #include "fild/mapping/map_builder.h"
+#include "fild/places/place_map.h"
 #include "fild/rawlog/input_options.h"
 #include "fild/render/map_scene.h"
 #include "fild/render/render_options.h"
@@ -29,7 +29,7 @@ void add_judgements(DrawnMap& drawn, const std::vector<JudgedFrame>& frames);
  *  Their images come from a second pass over the rawlog.
  *  \throw std::runtime_error as for_each_frame(). */
 std::vector<DrawnCamera> cameras_of(const Map& map,
-                                    const LoopDetector& detector,
+                                    const PlaceMap& places,
                                     const TRenderOptions& options,
                                     const TInputOptions& input,
                                     const std::string& rawlog);

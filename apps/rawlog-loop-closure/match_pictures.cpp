@@ -262,7 +262,7 @@ std::vector<LoopPicture> PairsToDraw::chosen(const std::set<FrameId>& wrong) con
 }
 
 void add_matches(std::vector<LoopPicture>& pairs,
-                 const LoopDetector& detector,
+                 const PlaceMap& places,
                  const TDetectorOptions& options,
                  bool with_rejected)
 {
@@ -272,9 +272,8 @@ void add_matches(std::vector<LoopPicture>& pairs,
                  [&](std::size_t i)
                  {
                      auto& pair = pairs[i];
-                     const auto& query = detector.find_place(pair.verdict.frame)->local;
-                     const auto& candidate =
-                         detector.find_place(pair.verdict.candidate->frame)->local;
+                     const auto& query = places.find(pair.verdict.frame)->local;
+                     const auto& candidate = places.find(pair.verdict.candidate->frame)->local;
                      StageTimes not_of_a_frame;
                      const auto verified = verifier.verify(query, candidate, not_of_a_frame);
                      const auto& inliers = verified.verification.inliers;
@@ -291,7 +290,7 @@ void add_matches(std::vector<LoopPicture>& pairs,
                  });
 }
 
-void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const LoopDetector& detector)
+void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const PlaceMap& places)
 {
     std::map<FrameId, const LoopEdge*> metric;
     for (const auto& loop : map.loops)
@@ -300,8 +299,8 @@ void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const LoopDete
     {
         const auto loop = metric.find(pair.verdict.frame);
         if (!pair.verdict.accepted() || loop == metric.end()) continue;
-        const auto* query = detector.find_place(loop->second->query);
-        const auto* candidate = detector.find_place(loop->second->candidate);
+        const auto* query = places.find(loop->second->query);
+        const auto* candidate = places.find(loop->second->candidate);
         pair.cameras = cameras_of(*loop->second, query->metric, candidate->metric);
     }
 }

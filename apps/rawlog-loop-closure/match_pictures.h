@@ -3,8 +3,8 @@
 
 #include "fild/core/descriptors.h"
 #include "fild/core/verdict.h"
-#include "fild/detector/loop_detector.h"
 #include "fild/mapping/map_builder.h"
+#include "fild/places/place_map.h"
 #include "fild/rawlog/input_options.h"
 #include "fild/render/match_picture.h"
 #include "fild/render/render_options.h"
@@ -57,15 +57,15 @@ class PairsToDraw
 };
 
 /** Matches the pairs anew, as the detector did: only the few that are drawn take memory for that.
- *  \param options  of the detector, which has both frames of each pair. */
+ *  \param options  of the detector that the places come from. */
 void add_matches(std::vector<LoopPicture>& pairs,
-                 const LoopDetector& detector,
+                 const PlaceMap& places,
                  const TDetectorOptions& options,
                  bool with_rejected);
 
 /** Tells the pairs that are loops with a metric pose where their cameras stood.
- *  \param detector  that gave the map its loops. */
-void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const LoopDetector& detector);
+ *  \param places  that the map was made of. */
+void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const PlaceMap& places);
 
 /** The recording that the images come from, and how it is read. */
 struct DrawnRawlog

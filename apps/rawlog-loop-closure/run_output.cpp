@@ -102,7 +102,7 @@ void RunOutput::attempt(const std::string& what_fails, const std::function<void(
 
 void RunOutput::build_map(const MapBuilder& builder)
 {
-    map_.emplace(builder.build(stream_.detector(), times_, throw_if_interrupted));
+    map_.emplace(builder.build(stream_.places(), times_, throw_if_interrupted));
     summary_.map = summary_of(*map_, summary_.camera_frames, options_.graph);
     gathered_.add_map(*map_);
 }
@@ -143,7 +143,7 @@ void RunOutput::draw_map()
     const StageTimer timer(times_, "map_pictures");
     auto drawn = to_drawn_map(*map_, gathered_.verdicts, render);
     drawn.cameras =
-        cameras_of(*map_, stream_.detector(), render, options_.stream.input, request_.rawlog);
+        cameras_of(*map_, stream_.places(), render, options_.stream.input, request_.rawlog);
     if (truth_) add_judgements(drawn, truth_->evaluation.frames);
     if (truth_ && !truth_->poses.empty()) drawn.ground_truth = true_way_over(*map_, truth_->poses);
     write_map_pictures(drawn, render, folder_);
@@ -172,8 +172,8 @@ void RunOutput::draw_matches()
     const StageTimer timer(times_, "match_pictures");
     auto pairs = gathered_.pictures.chosen(wrong_frames());
     const auto& detector = options_.stream.detector;
-    add_matches(pairs, stream_.detector(), detector, options_.render.draw_rejected_matches);
-    if (map_ && options_.render.match_pictures_3d) add_cameras(pairs, *map_, stream_.detector());
+    add_matches(pairs, stream_.places(), detector, options_.render.draw_rejected_matches);
+    if (map_ && options_.render.match_pictures_3d) add_cameras(pairs, *map_, stream_.places());
     const DrawnRawlog rawlog{request_.rawlog, options_.stream.input, detector.runtime.num_threads};
     summary_.match_pictures =
         draw_match_pictures(pairs, options_.render, rawlog, folder_.file("matches"));
@@ -185,7 +185,7 @@ void RunOutput::count_depth_defects()
 {
     auto& defects = summary_.map.depth_defects;
     for (std::size_t i = 0; i < summary_.camera_frames; ++i)
-        if (const auto* place = stream_.detector().find_place(FrameId{i}))
+        if (const auto* place = stream_.places().find(FrameId{i}))
             if (place->metric.depth_defect != DepthDefect::none)
                 ++defects[to_word(place->metric.depth_defect)];
     for (const auto& [defect, count] : defects)
@@ -204,7 +204,7 @@ void RunOutput::note_sparse_depths()
     std::size_t sparse = 0;
     for (std::size_t i = 0; i < summary_.camera_frames; ++i)
     {
-        const auto* place = stream_.detector().find_place(FrameId{i});
+        const auto* place = stream_.places().find(FrameId{i});
         if (place == nullptr || place->metric.depth_defect != DepthDefect::none ||
             !place->metric.camera || place->local.positions.size() < kEnoughKeypoints)
             continue;
@@ -238,7 +238,7 @@ void RunOutput::complete_summary(std::chrono::steady_clock::time_point start)
                          {"compiler", __VERSION__}};
     summary_.model_file = find_model_file(options_.stream.detector.global_descriptor.model_file);
     summary_.model_sha256 = sha256_of_file(summary_.model_file);
-    summary_.map_bytes = stream_.detector().map_bytes();
+    summary_.map_bytes = stream_.map_bytes();
     summary_.peak_memory_bytes = peak_memory_bytes();
     summary_.stage_times = times_.statistics();
     summary_.finished = utc_now();

@@ -2,6 +2,7 @@
 #include "fild/detector/loop_detector.h"
 
 #include "fild/core/random.h"
+#include "fild/detector/loop_poses.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -87,7 +88,8 @@ std::vector<fild::DetectorOutcome> drive(
     const std::vector<std::uint64_t>& places,
     const std::function<void(std::size_t, FrameDescription&)>& change = [](auto, auto&) {})
 {
-    fild::LoopDetector detector(options, kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options, kDimension, map);
     fild::StageTimes times;
     std::vector<fild::DetectorOutcome> outcomes;
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -100,6 +102,8 @@ std::vector<fild::DetectorOutcome> drive(
             outcomes.push_back(std::move(outcome));
     }
     for (auto& outcome : detector.finish(times)) outcomes.push_back(std::move(outcome));
+    const fild::LoopPoses poses(options);
+    for (auto& outcome : outcomes) poses.add_pose(outcome, map, times);
     return outcomes;
 }
 
@@ -165,7 +169,8 @@ TEST(LoopDetector, GivesTheSameVerdictsWithAndWithoutPoses)
 
 TEST(LoopDetector, SaysWhyALoopHasNoPose)
 {
-    fild::LoopDetector detector(options_with_delay(2), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_with_delay(2), kDimension, map);
     fild::StageTimes times;
     fild::DetectorOutcome last;
     for (std::size_t i = 0; i < 4; ++i)
@@ -177,10 +182,11 @@ TEST(LoopDetector, SaysWhyALoopHasNoPose)
         last = detector.process(std::move(view), times).front();
     }
     ASSERT_TRUE(last.verdict.accepted());
+    fild::LoopPoses(options_with_delay(2)).add_pose(last, map, times);
     ASSERT_TRUE(last.pose.has_value());
     EXPECT_EQ(last.pose->reason, fild::NoMetricPose::not_calibrated);
-    EXPECT_FALSE(detector.find_place(FrameId{3})->metric.camera.has_value());
-    EXPECT_EQ(detector.find_place(FrameId{4}), nullptr);
+    EXPECT_FALSE(map.find(FrameId{3})->metric.camera.has_value());
+    EXPECT_EQ(map.find(FrameId{4}), nullptr);
 }
 
 TEST(LoopDetector, NeverAnswersWithinTheDelay)
@@ -202,7 +208,8 @@ TEST(LoopDetector, KeepsARowAcrossAFrameThatCannotBeUsed)
 {
     auto options = options_with_delay(2);
     options.consistency.consecutive_frames = 2;
-    fild::LoopDetector detector(options, kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options, kDimension, map);
     fild::StageTimes times;
     fild::DetectorOutcome last;
     const std::vector<std::uint64_t> places = {10, 11, 12, 10, 0, 11};
@@ -234,7 +241,8 @@ TEST(LoopDetector, TakesTheCandidateWithTheMostInliersOfSeveral)
     {
         auto options = options_with_delay(1);
         options.index.candidates = candidates;
-        fild::LoopDetector detector(options, kDimension);
+        fild::PlaceMap map;
+        fild::LoopDetector detector(options, kDimension, map);
         fild::StageTimes times;
         auto impostor = view_of(99, 0);
         impostor.global = view_of(10, 0).global;
@@ -275,7 +283,8 @@ TEST(LoopDetector, FollowsNeighboursAsLongAsTheInliersGrow)
     {
         auto options = options_with_delay(2);
         options.candidates.neighbour_reach = reach;
-        fild::LoopDetector detector(options, kDimension);
+        fild::PlaceMap map;
+        fild::LoopDetector detector(options, kDimension, map);
         fild::StageTimes times;
         const std::vector<std::size_t> points{30, 40, 50, 60};
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -302,7 +311,8 @@ TEST(LoopDetector, LooksBeyondAWorseNeighbourAsFarAsAsked)
     {
         auto options = options_with_delay(2);
         options.candidates.neighbour_reach = reach;
-        fild::LoopDetector detector(options, kDimension);
+        fild::PlaceMap map;
+        fild::LoopDetector detector(options, kDimension, map);
         fild::StageTimes times;
         const std::vector<std::size_t> points{40, 50, 30, 60};
         for (std::size_t i = 0; i < points.size(); ++i)
@@ -324,7 +334,8 @@ TEST(LoopDetector, FollowsTheBeliefFromFrameToFrame)
         auto options = options_with_belief(5);
         options.index.candidates = 1;
         options.candidates.follow_belief = follow_belief;
-        fild::LoopDetector detector(options, kDimension);
+        fild::PlaceMap map;
+        fild::LoopDetector detector(options, kDimension, map);
         fild::StageTimes times;
         const std::vector<std::uint64_t> places{10, 20, 30, 10, 10};
         const std::vector<double> timestamps{0, 1, 2, 10, 11};
@@ -449,7 +460,8 @@ TEST(LoopDetector, NamesTheCandidateThatLaterFramesConfirm)
 
 TEST(LoopDetector, GivesEveryVerdictOnceAndInOrderAndTheRestAtTheEnd)
 {
-    fild::LoopDetector detector(options_for_weak_pairs(2), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_for_weak_pairs(2), kDimension, map);
     fild::StageTimes times;
     const std::vector<std::uint64_t> places{10, 11, 12, 13, 14, 15, 16, 10, 11, 12, 13, 14};
     constexpr std::size_t kUnusable = 8;
@@ -476,7 +488,8 @@ TEST(LoopDetector, GivesEveryVerdictOnceAndInOrderAndTheRestAtTheEnd)
 
 TEST(LoopDetector, WithoutLookAheadAnswersAtOnce)
 {
-    fild::LoopDetector detector(options_for_weak_pairs(0), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_for_weak_pairs(0), kDimension, map);
     fild::StageTimes times;
     for (std::uint64_t i = 0; i < 20; ++i)
     {
@@ -493,10 +506,11 @@ TEST(LoopDetector, RefusesABeliefWithoutEvidence)
 {
     auto options = options_with_belief(2);
     options.same_place.enabled = false;
-    EXPECT_THROW(fild::LoopDetector(options, kDimension), std::invalid_argument);
+    fild::PlaceMap map;
+    EXPECT_THROW(fild::LoopDetector(options, kDimension, map), std::invalid_argument);
     options.consistency.belief = false;
     options.candidates.follow_belief = true;
-    EXPECT_THROW(fild::LoopDetector(options, kDimension), std::invalid_argument);
+    EXPECT_THROW(fild::LoopDetector(options, kDimension, map), std::invalid_argument);
 }
 
 TEST(LoopDetector, VerifiesOneFrameOfAPlaceAndStopsAtTheFirstThatIsGood)
@@ -554,7 +568,8 @@ TEST(LoopDetector, ComparesCellsOnlyWhereThereAreSome)
 {
     auto options = options_with_delay(2);
     options.candidates.best_by_cells = 1;
-    EXPECT_THROW(fild::LoopDetector(options, kDimension), std::invalid_argument);
+    fild::PlaceMap map;
+    EXPECT_THROW(fild::LoopDetector(options, kDimension, map), std::invalid_argument);
 }
 
 TEST(LoopDetector, TellsOfAllItLookedAt)
@@ -574,7 +589,8 @@ TEST(LoopDetector, TellsOfAllItLookedAt)
 
 TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)
 {
-    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_with_delay(1), kDimension, map);
     fild::StageTimes times;
     FrameDescription broken;
     broken.frame = FrameId{4};
@@ -582,7 +598,7 @@ TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)
     const auto outcome = detector.process(std::move(broken), times).front();
     EXPECT_EQ(outcome.verdict.frame, FrameId{4});
     EXPECT_EQ(outcome.verdict.rejection, Rejection::missing_image);
-    EXPECT_EQ(detector.map_bytes(), 0U);
+    EXPECT_EQ(map.size(), 0U);
 }
 
 /** Places 0, 1, 2, ..., and those again, each seen by two cameras: LEFT a second after the place
@@ -591,7 +607,8 @@ TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)
 std::vector<fild::DetectorOutcome> drive_with_two_cameras(const fild::TDetectorOptions& options,
                                                           std::uint64_t places)
 {
-    fild::LoopDetector detector(options, kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options, kDimension, map);
     fild::StageTimes times;
     std::vector<fild::DetectorOutcome> outcomes;
     for (std::uint64_t i = 0; i < 2 * places; ++i)
@@ -645,7 +662,8 @@ TEST(LoopDetector, CountsTheFramesInARowOfEachCamera)
 
 TEST(LoopDetector, GoesOnWhenTheClockJumpsBack)
 {
-    fild::LoopDetector detector(options_with_delay(2), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_with_delay(2), kDimension, map);
     fild::StageTimes times;
     const std::vector<double> timestamps = {1000, 1001, 1002, 10, 11, 12};
     const std::vector<std::uint64_t> places = {10, 11, 12, 13, 14, 10};
@@ -666,7 +684,8 @@ TEST(LoopDetector, DoesNotAnswerWithItsNeighbourhoodAfterAWrongStamp)
 {
     for (const double wrong : {-60.0, 60.0})
     {
-        fild::LoopDetector detector(options_with_delay(20), kDimension);
+        fild::PlaceMap map;
+        fild::LoopDetector detector(options_with_delay(20), kDimension, map);
         fild::StageTimes times;
         for (std::uint64_t i = 0; i < 100; ++i)
         {
@@ -682,7 +701,8 @@ TEST(LoopDetector, DoesNotAnswerWithItsNeighbourhoodAfterAWrongStamp)
 
 TEST(LoopDetector, BearsFramesWithoutFeatures)
 {
-    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_with_delay(1), kDimension, map);
     fild::StageTimes times;
     for (std::uint64_t i = 0; i < 4; ++i)
     {
@@ -699,7 +719,8 @@ TEST(LoopDetector, BearsFramesWithoutFeatures)
 
 TEST(LoopDetector, RefusesFramesOutOfOrder)
 {
-    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_with_delay(1), kDimension, map);
     fild::StageTimes times;
     auto view = view_of(10, 0);
     view.frame = FrameId{3};
@@ -709,7 +730,8 @@ TEST(LoopDetector, RefusesFramesOutOfOrder)
 
 TEST(LoopDetector, RefusesAnotherLengthAtOnceAndGoesOn)
 {
-    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_with_delay(1), kDimension, map);
     fild::StageTimes times;
     for (std::uint64_t i = 0; i < 4; ++i)
     {
@@ -726,7 +748,8 @@ TEST(LoopDetector, RefusesAnotherLengthAtOnceAndGoesOn)
 
 TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)
 {
-    fild::LoopDetector detector(options_with_delay(1), kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options_with_delay(1), kDimension, map);
     fild::StageTimes times;
     for (std::uint64_t i = 0; i < 3; ++i)
     {
@@ -740,7 +763,8 @@ TEST(LoopDetector, TimesItsStagesAndWeighsItsMap)
     EXPECT_EQ(statistics.at("index_search").calls, 2U);
     EXPECT_EQ(statistics.at("matching").calls, 2U);
     EXPECT_EQ(statistics.at("verification").calls, 2U);
-    EXPECT_EQ(detector.map_bytes(), 3 * (kPoints * (8 + 32 + 8) + kDimension * 4));
+    EXPECT_EQ(map.bytes(), 3 * kPoints * (8 + 2 + 32 + 8));
+    EXPECT_EQ(detector.descriptor_bytes(), 3 * kDimension * 4);
 }
 
 // Whitening keeps the descriptors of the index as they came, too.
@@ -748,7 +772,8 @@ TEST(LoopDetector, WeighsBothDescriptorsOfAWhitenedMap)
 {
     auto options = options_with_delay(1);
     options.index.whiten_from = 2;
-    fild::LoopDetector detector(options, kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options, kDimension, map);
     fild::StageTimes times;
     for (std::uint64_t i = 0; i < 4; ++i)
     {
@@ -758,15 +783,15 @@ TEST(LoopDetector, WeighsBothDescriptorsOfAWhitenedMap)
         detector.process(std::move(view), times);
     }
     constexpr std::size_t kInIndex = 3;
-    EXPECT_EQ(detector.map_bytes(),
-              4 * kPoints * (8 + 32 + 8) + (2 * kInIndex + 1) * kDimension * 4);
+    EXPECT_EQ(detector.descriptor_bytes(), (2 * kInIndex + 1) * kDimension * 4);
 }
 
 /** Places in an order, with a stop of `stop` frames at the third of five; then the first again. */
 std::vector<fild::DetectorOutcome> drive_with_a_stop(const fild::TDetectorOptions& options,
                                                      std::size_t stop)
 {
-    fild::LoopDetector detector(options, kDimension);
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options, kDimension, map);
     fild::StageTimes times;
     std::vector<std::uint64_t> places{10, 11};
     places.insert(places.end(), stop, 12);

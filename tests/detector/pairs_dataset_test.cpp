@@ -58,7 +58,8 @@ fild::FrameVerdict verdict_on(fild::FrameDescription query,
 {
     options.index.delay_seconds =
         2;  // a longer gap between two frames might be a clock that was set
-    fild::LoopDetector detector(options, query.global.size());
+    fild::PlaceMap places;
+    fild::LoopDetector detector(options, query.global.size(), places);
     fild::StageTimes times;
     detector.process(earlier, times);
     query.frame = fild::FrameId{1};

@@ -266,7 +266,9 @@ TEST(MapBuilder, HasOneEdgeForAllLoopsOfARobotThatStands)
     const PointWorld world;
     auto options = detector_options();
     options.index.still_seconds = 2;
-    fild::LoopDetector detector(options, fild::testing::kDescriptorLength);
+    fild::PlaceMap places;
+    fild::LoopDetector detector(options, fild::testing::kDescriptorLength, places);
+    const fild::LoopPoses poses(options);
     fild::MapBuilder builder(options, fild::TGraphOptions());
     fild::StageTimes times;
     constexpr std::size_t kStop = kFramesPerLap + 5;  // on the second lap
@@ -281,9 +283,11 @@ TEST(MapBuilder, HasOneEdgeForAllLoopsOfARobotThatStands)
         seen.frame = fild::FrameId{i};
         seen.timestamp = static_cast<double>(i);
         builder.add_frame(seen.frame, seen.timestamp);
-        builder.add(detector.process(std::move(seen), times).front());
+        auto outcome = detector.process(std::move(seen), times).front();
+        poses.add_pose(outcome, places, times);
+        builder.add(outcome);
     }
-    const auto map = builder.build(detector, times);
+    const auto map = builder.build(places, times);
     constexpr std::size_t kBeforeItCounts = 2;  // frames
     EXPECT_GE(map.loops.size(), kStays);
     EXPECT_EQ(withheld(map, Withheld::stood_still), kStays - kBeforeItCounts);

@@ -6,6 +6,8 @@
 #include "fild/core/random.h"
 #include "fild/core/rigid_transform.h"
 #include "fild/detector/frame_describer.h"
+#include "fild/detector/loop_detector.h"
+#include "fild/detector/loop_poses.h"
 #include "fild/mapping/map_builder.h"
 #include "fild/rawlog/pose_conversion.h"
 
@@ -173,20 +175,26 @@ Map map_of(
     const GoOn& go_on = [] {})
 {
     const PointWorld world;
-    LoopDetector detector(options, kDescriptorLength);
+    PlaceMap places;
+    LoopDetector detector(options, kDescriptorLength, places);
+    const LoopPoses poses(options);
     MapBuilder builder(options, TGraphOptions());
     StageTimes times;
+    const auto add = [&](DetectorOutcome outcome)
+    {
+        poses.add_pose(outcome, places, times);
+        builder.add(outcome);
+    };
     for (std::size_t i = 0; i < frames; ++i)
     {
         if (recorded.odometry) builder.feed(drifting_odometry(i));
         auto description = world.describe(i, recorded);
         change(description);
         builder.add_frame(description.frame, description.timestamp);
-        for (const auto& outcome : detector.process(std::move(description), times))
-            builder.add(outcome);
+        for (auto& outcome : detector.process(std::move(description), times)) add(outcome);
     }
-    for (const auto& outcome : detector.finish(times)) builder.add(outcome);
-    return builder.build(detector, times, go_on);
+    for (auto& outcome : detector.finish(times)) add(outcome);
+    return builder.build(places, times, go_on);
 }
 
 inline Map map_of(const Recorded& recorded, const TDetectorOptions& options = detector_options())

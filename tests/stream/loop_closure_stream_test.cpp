@@ -50,7 +50,7 @@ TEST(LoopClosureStream, GivesAVerdictForEveryCameraFrame)
     }
     EXPECT_EQ(loops, kFramesPerLap);
     EXPECT_EQ(stream.times().statistics().at("whole_frame").calls, images.size());
-    EXPECT_GT(stream.detector().map_bytes(), 0U);
+    EXPECT_GT(stream.map_bytes(), 0U);
 }
 
 TEST(LoopClosureStream, PassesOverOtherObservations)

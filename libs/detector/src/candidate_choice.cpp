@@ -20,6 +20,12 @@ bool is_within(int reach, std::size_t a, std::size_t b)
 }
 }  // namespace
 
+double believable_log_odds(const TDetectorOptions& options)
+{
+    return log_odds_of(options.consistency.belief ? options.consistency.min_pair_probability
+                                                  : options.same_place.min_probability);
+}
+
 bool is_better(const ConsideredCandidate& a, const ConsideredCandidate& b, double enough)
 {
     const auto evidence = [enough](const ConsideredCandidate& each)

@@ -11,6 +11,16 @@
 
 namespace fild
 {
+namespace
+{
+/** The explanation that the evidence does not rule out. */
+Rejection weakness_of(const PairOdds& odds)
+{
+    return odds.against_chance < odds.against_look_alike ? Rejection::may_be_chance
+                                                         : Rejection::may_be_look_alike;
+}
+}  // namespace
+
 std::vector<Match> VerifiedPair::inliers() const
 {
     std::vector<Match> kept;
@@ -20,7 +30,8 @@ std::vector<Match> VerifiedPair::inliers() const
 }
 
 PairVerifier::PairVerifier(const TDetectorOptions& options)
-    : matcher_(options.hashing),
+    : min_inliers_(static_cast<std::size_t>(options.verification.min_inliers)),
+      matcher_(options.hashing),
       verifier_(options.verification, static_cast<std::uint64_t>(options.runtime.seed)),
       one_shape_(options.verification.one_shape)
 {
@@ -43,12 +54,29 @@ VerifiedPair PairVerifier::verify(const HashedFeatures& query,
         const StageTimer timer(times, "verification");
         pair.verification = verify_matches(query, candidate, pair.matches);
     }
-    if (!model_ || pair.verification.rejection != Rejection::none) return pair;
-    const StageTimer timer(times, "evidence");
+    pair.rejection = pair.verification.rejection;
+    if (model_)
+    {
+        const StageTimer timer(times, "evidence");
+        weigh_evidence(query, candidate, compared, pair);
+    }
+    else
+        pair.support = static_cast<double>(pair.verification.inliers.size()) /
+                       static_cast<double>(min_inliers_);
+    return pair;
+}
+
+void PairVerifier::weigh_evidence(const HashedFeatures& query,
+                                  const HashedFeatures& candidate,
+                                  std::size_t compared,
+                                  VerifiedPair& pair) const
+{
+    if (pair.rejection != Rejection::none) return;
     const auto inliers = pair.inliers();
     pair.evidence = measure_evidence({query, candidate, pair.matches, inliers, compared});
     pair.odds = model_->odds(inliers.size(), pair.evidence);
-    return pair;
+    pair.support = probability_of(pair.odds->log_odds());
+    if (!model_->convinces(*pair.odds)) pair.rejection = weakness_of(*pair.odds);
 }
 
 Verification PairVerifier::verify_matches(const HashedFeatures& query,

@@ -86,10 +86,10 @@ void NodeLoops::add_outcome(const DetectorOutcome& outcome)
         ++report_.withheld[to_word(outcome.pose->reason)];
         return;
     }
-    const auto& detector = stream_.detector();
+    const auto& places = stream_.places();
     const auto motion = robot_motion(*outcome.pose->candidate_from_query,
-                                     detector.find_place(candidate)->metric,
-                                     detector.find_place(verdict.frame)->metric);
+                                     places.find(candidate)->metric,
+                                     places.find(verdict.frame)->metric);
     if (motion)
         waiting_.push_back({candidate, verdict.frame, *motion});
     else

@@ -55,13 +55,13 @@ void set_pose(LoopEdge& edge, const RelativePose& pose, const Place& candidate, 
 }
 
 /** While the robot stands still its loops tell the same again and again: the first counts. */
-void withhold_repetitions(std::vector<LoopEdge>& loops, const LoopDetector& detector)
+void withhold_repetitions(std::vector<LoopEdge>& loops, const PlaceMap& places)
 {
     std::set<std::pair<FrameId, FrameId>> seen;
     for (auto& loop : loops)
     {
         const auto stands_since = [&](FrameId frame)
-        { return detector.find_place(frame)->stands_since.value_or(frame); };
+        { return places.find(frame)->stands_since.value_or(frame); };
         if (loop.withheld != Withheld::none) continue;
         const bool is_new =
             seen.emplace(stands_since(loop.query), stands_since(loop.candidate)).second;
@@ -116,24 +116,24 @@ void MapBuilder::add(const DetectorOutcome& outcome)
     if (loops_.back().pose) loops_.back().pose->inliers = {};  // no longer needed
 }
 
-Map MapBuilder::build(const LoopDetector& detector, StageTimes& times, const GoOn& go_on) const
+Map MapBuilder::build(const PlaceMap& places, StageTimes& times, const GoOn& go_on) const
 {
     go_on();
-    auto map = map_on_trajectory(detector, times, go_on);
+    auto map = map_on_trajectory(places, times, go_on);
     if (detector_options_.relative_pose.enabled &&
         map.trajectory_source == TrajectorySource::recorded)
-        map.agreement = compare_motions(detector, map.trajectory, detector_options_, times, go_on);
+        map.agreement = compare_motions(places, map.trajectory, detector_options_, times, go_on);
     map.loops.reserve(loops_.size());
-    for (const auto& loop : loops_) map.loops.push_back(edge_of(loop, detector));
-    if (detector_options_.relative_pose.enabled) scale_by_motion(map, detector, times, go_on);
-    withhold_repetitions(map.loops, detector);
+    for (const auto& loop : loops_) map.loops.push_back(edge_of(loop, places));
+    if (detector_options_.relative_pose.enabled) scale_by_motion(map, places, times, go_on);
+    withhold_repetitions(map.loops, places);
     go_on();
     const StageTimer timer(times, "graph");
     solve(map, go_on);
     return map;
 }
 
-Map MapBuilder::map_on_trajectory(const LoopDetector& detector,
+Map MapBuilder::map_on_trajectory(const PlaceMap& places,
                                   StageTimes& times,
                                   const GoOn& go_on) const
 {
@@ -149,28 +149,25 @@ Map MapBuilder::map_on_trajectory(const LoopDetector& detector,
         if (!report.source.empty()) unused.insert(unused.begin(), report.source);
     }
     const auto motions = visual_odometry(
-        detector, end_, detector_options_, graph_options_.max_speed_m_per_s, times, go_on);
+        places, end_, detector_options_, graph_options_.max_speed_m_per_s, times, go_on);
     return {trajectory_from_motions(motions),
             motions.empty() ? TrajectorySource::none : TrajectorySource::vision,
             std::move(unused),
             std::move(report)};
 }
 
-LoopEdge MapBuilder::edge_of(const Loop& loop, const LoopDetector& detector) const
+LoopEdge MapBuilder::edge_of(const Loop& loop, const PlaceMap& places) const
 {
     LoopEdge edge{loop.candidate, loop.query};
     if (loop.pose)
-        set_pose(edge,
-                 *loop.pose,
-                 *detector.find_place(loop.candidate),
-                 *detector.find_place(loop.query));
+        set_pose(edge, *loop.pose, *places.find(loop.candidate), *places.find(loop.query));
     else
         edge.withheld = Withheld::not_enabled;
     return edge;
 }
 
 void MapBuilder::scale_by_motion(Map& map,
-                                 const LoopDetector& detector,
+                                 const PlaceMap& places,
                                  StageTimes& times,
                                  const GoOn& go_on) const
 {
@@ -182,7 +179,7 @@ void MapBuilder::scale_by_motion(Map& map,
         for (const auto i : without_depth) map.loops[i].withheld = Withheld::no_odometry;
         return;
     }
-    const MotionScale scale(detector, map.trajectory, detector_options_);
+    const MotionScale scale(places, map.trajectory, detector_options_);
     std::set<FrameId> wanted;
     for (const auto i : without_depth) wanted.insert({map.loops[i].candidate, map.loops[i].query});
     const std::vector<FrameId> frames(wanted.begin(), wanted.end());
@@ -208,8 +205,8 @@ void MapBuilder::scale_by_motion(Map& map,
                        [&](std::size_t i, StageTimes& own_times)
                        {
                            auto& edge = map.loops[without_depth[i]];
-                           const auto& candidate = *detector.find_place(edge.candidate);
-                           const auto& query = *detector.find_place(edge.query);
+                           const auto& candidate = *places.find(edge.candidate);
+                           const auto& query = *places.find(edge.query);
                            const auto pose = poses.estimate(query,
                                                             *depths_of.at(edge.query),
                                                             candidate,

@@ -131,19 +131,19 @@ std::optional<Comparison> compare(const FramePair& pair, const PairPoses& poses,
 /** A frame and one of those after it: the first with a movement, else one a little later, as
  *  the trajectory may miss a movement that there is. */
 std::optional<FramePair> pair_from(std::size_t begin,
-                                   const LoopDetector& detector,
+                                   const PlaceMap& places,
                                    const Trajectory& trajectory)
 {
     constexpr std::size_t kReach = 10;
     constexpr std::size_t kWithoutMovement = 3;
     const auto& poses = trajectory.poses();
-    const auto* earlier = detector.find_place(poses[begin].frame);
+    const auto* earlier = places.find(poses[begin].frame);
     if (earlier == nullptr || !earlier->metric.camera) return std::nullopt;
     std::optional<FramePair> pair;
     const auto end = std::min(begin + 1 + kReach, poses.size());
     for (auto i = begin + 1; i < end && poses[i].segment == poses[begin].segment; ++i)
     {
-        const auto* later = detector.find_place(poses[i].frame);
+        const auto* later = places.find(poses[i].frame);
         if (later == nullptr || !later->metric.camera ||
             later->sensor_label != earlier->sensor_label)
             continue;
@@ -203,7 +203,7 @@ bool MotionAgreement::contradicts_lengths() const
     return ratio.count >= kEnough && (ratio.lower > kWrong || ratio.upper < 1 / kWrong);
 }
 
-MotionAgreement compare_motions(const LoopDetector& detector,
+MotionAgreement compare_motions(const PlaceMap& places,
                                 const Trajectory& trajectory,
                                 const TDetectorOptions& options,
                                 StageTimes& times,
@@ -213,7 +213,7 @@ MotionAgreement compare_motions(const LoopDetector& detector,
     const StageTimer timer(times, "motion_agreement");
     std::vector<FramePair> pairs;
     for (const auto i : spread_indices(kPairs, trajectory.poses().size()))
-        if (const auto pair = pair_from(i, detector, trajectory)) pairs.push_back(*pair);
+        if (const auto pair = pair_from(i, places, trajectory)) pairs.push_back(*pair);
     const PairPoses poses(of_any_scale(options));
     std::vector<std::optional<Comparison>> comparisons(pairs.size());
     timed_parallel_for(options.runtime.num_threads,

@@ -35,10 +35,10 @@ double length_deviation(const RelativeMotion& motion)
 }
 }  // namespace
 
-MotionScale::MotionScale(const LoopDetector& detector,
+MotionScale::MotionScale(const PlaceMap& places,
                          const Trajectory& trajectory,
                          const TDetectorOptions& options)
-    : detector_(detector),
+    : places_(places),
       trajectory_(trajectory),
       pairs_(without_doubt(options)),
       options_(options.depth),
@@ -84,13 +84,13 @@ KeypointDepths MotionScale::best_of(FrameId frame, Direction direction, StageTim
 std::optional<FrameId> MotionScale::next(FrameId frame, Direction direction) const
 {
     constexpr std::uint64_t kMaxOtherCameras = 16;
-    const auto& label = detector_.find_place(frame)->sensor_label;
+    const auto& label = places_.find(frame)->sensor_label;
     auto id = to_index(frame);
     for (std::uint64_t i = 0; i < kMaxOtherCameras; ++i)
     {
         if (direction == Direction::earlier && id == 0) return std::nullopt;
         id = direction == Direction::earlier ? id - 1 : id + 1;
-        const auto* place = detector_.find_place(FrameId{id});
+        const auto* place = places_.find(FrameId{id});
         if (place != nullptr && place->sensor_label == label) return FrameId{id};
     }
     return std::nullopt;
@@ -101,8 +101,8 @@ KeypointDepths MotionScale::against(FrameId frame,
                                     const RelativeMotion& other_from_frame,
                                     StageTimes& times) const
 {
-    const auto& current = *detector_.find_place(frame);
-    const auto& earlier = *detector_.find_place(other);
+    const auto& current = *places_.find(frame);
+    const auto& earlier = *places_.find(other);
     if (!are_one_camera(current, earlier)) return {};
     const auto pair = pairs_.verify(current.local, earlier.local, times);
     if (pair.verification.rejection != Rejection::none) return {};

@@ -17,12 +17,12 @@ namespace fild
 namespace
 {
 /** The camera with depths in the most frames (of equal ones the first by name); empty: none. */
-std::optional<std::string> camera_with_depths(const LoopDetector& detector, FrameId end)
+std::optional<std::string> camera_with_depths(const PlaceMap& places, FrameId end)
 {
     std::map<std::string, std::size_t> frames;
     for (std::uint64_t i = 0; i < to_index(end); ++i)
     {
-        const auto* place = detector.find_place(FrameId{i});
+        const auto* place = places.find(FrameId{i});
         if (place != nullptr && place->metric.depths.known() > 0) ++frames[place->sensor_label];
     }
     std::optional<std::string> best;
@@ -32,12 +32,12 @@ std::optional<std::string> camera_with_depths(const LoopDetector& detector, Fram
 }
 
 /** The frames of one camera that a pose can be had of. */
-std::vector<FrameId> frames_of(const std::string& label, const LoopDetector& detector, FrameId end)
+std::vector<FrameId> frames_of(const std::string& label, const PlaceMap& places, FrameId end)
 {
     std::vector<FrameId> frames;
     for (std::uint64_t i = 0; i < to_index(end); ++i)
     {
-        const auto* place = detector.find_place(FrameId{i});
+        const auto* place = places.find(FrameId{i});
         if (place != nullptr && place->sensor_label == label && place->metric.camera)
             frames.push_back(FrameId{i});
     }
@@ -48,11 +48,11 @@ std::vector<FrameId> frames_of(const std::string& label, const LoopDetector& det
 class FrameMotions
 {
  public:
-    FrameMotions(const LoopDetector& detector,
+    FrameMotions(const PlaceMap& places,
                  const std::vector<FrameId>& frames,
                  const TDetectorOptions& options,
                  double max_speed_m_per_s)
-        : detector_(detector),
+        : places_(places),
           frames_(frames),
           poses_(without_doubt(options)),
           max_speed_m_per_s_(max_speed_m_per_s)
@@ -88,9 +88,9 @@ class FrameMotions
         return seconds > 0 && metres > max_speed_m_per_s_ * seconds + kJitter;
     }
 
-    const Place& place(std::size_t i) const { return *detector_.find_place(frames_[i]); }
+    const Place& place(std::size_t i) const { return *places_.find(frames_[i]); }
 
-    const LoopDetector& detector_;
+    const PlaceMap& places_;
     const std::vector<FrameId>& frames_;
     PairPoses poses_;
     double max_speed_m_per_s_;
@@ -101,10 +101,10 @@ class Chain
 {
  public:
     Chain(const FrameMotions& between,
-          const LoopDetector& detector,
+          const PlaceMap& places,
           const std::vector<FrameId>& frames,
           const TDetectorOptions& options)
-        : between_(between), detector_(detector), frames_(frames), options_(options)
+        : between_(between), places_(places), frames_(frames), options_(options)
     {
     }
 
@@ -148,14 +148,14 @@ class Chain
         if (far_depths_of_ != last_)
         {
             const auto before = trajectory_from_motions(latest_motions());
-            far_depths_ = MotionScale(detector_, before, options_).depths_of(frames_[last_], times);
+            far_depths_ = MotionScale(places_, before, options_).depths_of(frames_[last_], times);
             far_depths_of_ = last_;
         }
         return far_depths_;
     }
 
     const FrameMotions& between_;
-    const LoopDetector& detector_;
+    const PlaceMap& places_;
     const std::vector<FrameId>& frames_;
     const TDetectorOptions& options_;
     std::vector<MeasuredMotion> motions_;
@@ -165,7 +165,7 @@ class Chain
 };
 }  // namespace
 
-std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
+std::vector<MeasuredMotion> visual_odometry(const PlaceMap& places,
                                             FrameId end,
                                             const TDetectorOptions& options,
                                             double max_speed_m_per_s,
@@ -173,11 +173,11 @@ std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
                                             const GoOn& go_on)
 {
     const StageTimer timer(times, "visual_odometry");
-    const auto camera = camera_with_depths(detector, end);
+    const auto camera = camera_with_depths(places, end);
     if (!camera) return {};
-    const auto frames = frames_of(*camera, detector, end);
+    const auto frames = frames_of(*camera, places, end);
     if (frames.empty()) return {};
-    const FrameMotions motions(detector, frames, options, max_speed_m_per_s);
+    const FrameMotions motions(places, frames, options, max_speed_m_per_s);
     std::vector<std::optional<MeasuredMotion>> to_next(frames.size() - 1);
     timed_parallel_for(options.runtime.num_threads,
                        to_next.size(),
@@ -186,7 +186,7 @@ std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
                        [&](std::size_t i, StageTimes& own_times)
                        { to_next[i] = motions.between(i, i + 1, own_times); });
 
-    Chain chain(motions, detector, frames, options);
+    Chain chain(motions, places, frames, options);
     for (std::size_t i = 1; i < frames.size(); ++i)
     {
         go_on();

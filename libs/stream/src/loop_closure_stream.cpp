@@ -31,7 +31,8 @@ LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
               rawlog_path,
               options.detector.relative_pose.enabled ? FrameContent::metric : FrameContent::image),
       describer_(options.detector),
-      detector_(options.detector, describer_.global_dimension())
+      detector_(options.detector, describer_.global_dimension(), places_),
+      poses_(options.detector)
 {
 }
 
@@ -71,8 +72,19 @@ std::optional<FedFrame> LoopClosureStream::look_at(const mrpt::obs::CObservation
         const StageTimer timer(times_, "image_decoding");
         frame = frames_.build(observation);
     }
-    return FedFrame{
-        frame.id, frame.timestamp, detector_.process(describer_.describe(frame, times_), times_)};
+    auto decided = detector_.process(describer_.describe(frame, times_), times_);
+    return FedFrame{frame.id, frame.timestamp, with_poses(std::move(decided))};
+}
+
+std::vector<DetectorOutcome> LoopClosureStream::finish()
+{
+    return with_poses(detector_.finish(times_));
+}
+
+std::vector<DetectorOutcome> LoopClosureStream::with_poses(std::vector<DetectorOutcome> outcomes)
+{
+    for (auto& outcome : outcomes) poses_.add_pose(outcome, places_, times_);
+    return outcomes;
 }
 
 }  // namespace fild

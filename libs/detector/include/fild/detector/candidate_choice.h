@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fild/core/verdict.h"
+#include "fild/detector/detector_options.h"
 #include "fild/detector/place_states.h"
 
 #include <cstddef>
@@ -15,6 +16,9 @@ struct BelievableCandidate
     const ConsideredCandidate* entry = nullptr;
     std::size_t place = 0;  ///< in PlaceStates
 };
+
+/** Log odds of a pair from which on it may be accepted, by itself or with the frames around it. */
+double believable_log_odds(const TDetectorOptions& options);
 
 /** True when the first is the better candidate: its log odds are greater, or those of both are at least
  *  `enough` and it has more inliers, which show more of the place and give a better metric pose. Equals

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fild/core/descriptors.h"
+#include "fild/core/keypoint_depths.h"
 #include "fild/core/verdict.h"
-#include "fild/geometry/keypoint_depths.h"
 #include "fild/geometry/relative_pose.h"
 
 #include <cstddef>

@@ -5,10 +5,10 @@
 #include "fild/core/frame.h"
 #include "fild/core/stage_times.h"
 #include "fild/detector/detector_options.h"
-#include "fild/detector/place.h"
 #include "fild/features/global_descriptor.h"
 #include "fild/features/surf.h"
 #include "fild/matching/code_hasher.h"
+#include "fild/places/place.h"
 
 namespace fild
 {

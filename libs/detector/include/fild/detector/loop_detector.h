@@ -3,26 +3,17 @@
 
 #include "fild/core/stage_times.h"
 #include "fild/core/verdict.h"
-#include "fild/detector/candidate_choice.h"
 #include "fild/detector/detector_options.h"
 #include "fild/detector/detector_outcome.h"
 #include "fild/detector/frame_describer.h"
-#include "fild/detector/pair_verifier.h"
-#include "fild/detector/place.h"
-#include "fild/detector/place_belief.h"
-#include "fild/detector/place_smoother.h"
-#include "fild/detector/recording_clock.h"
-#include "fild/detector/standstill.h"
-#include "fild/detector/temporal_consistency.h"
+#include "fild/detector/loop_consistency.h"
+#include "fild/detector/place_delay.h"
+#include "fild/detector/place_recognizer.h"
 #include "fild/detector/waiting_verdicts.h"
-#include "fild/geometry/relative_pose.h"
-#include "fild/index/delay_queue.h"
-#include "fild/index/place_index.h"
+#include "fild/places/place_map.h"
 
 #include <cstddef>
-#include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace fild
@@ -40,12 +31,14 @@ namespace fild
 class LoopDetector
 {
  public:
-    /** \param global_dimension  length of the global descriptors that will come. */
-    LoopDetector(const TDetectorOptions& options, std::size_t global_dimension);
+    /** \param global_dimension  length of the global descriptors that will come.
+     *  \param places  empty; gets what is kept of every frame that can be used, and outlives the
+     *         detector. */
+    LoopDetector(const TDetectorOptions& options, std::size_t global_dimension, PlaceMap& places);
 
     /** Takes the next frame.
      *  \param times receives "index_insertion", "index_search", "cells", "matching",
-     *  "verification", "evidence", "look_ahead" and "relative_pose".
+     *  "verification", "evidence" and "look_ahead".
      *  \return the frames whose verdict can now be given, oldest first. Without look-ahead this frame,
      *  and no other.
      *  \throw std::invalid_argument when ids do not increase or a descriptor has another length;
@@ -56,74 +49,30 @@ class LoopDetector
      *  look-ahead. */
     std::vector<DetectorOutcome> finish(StageTimes& times);
 
-    /** What is kept of a frame; null for one that was not processed, or could not be used. Valid
-     *  until the next call of process(). */
-    const Place* find_place(FrameId frame) const;
-
-    /** Memory of codes, positions, depths and descriptors held for later frames, bytes; the links
-     * of the HNSW graph (about 8 x links_per_node bytes a frame) not counted. */
-    std::size_t map_bytes() const;
+    /** Memory of the descriptors held for later frames; the links of the HNSW graph (about
+     *  8 x links_per_node bytes a frame) not counted. */
+    std::size_t descriptor_bytes() const;
 
     /** How often a camera's time stamps jumped: RecordingClock::jumps(). */
-    std::size_t clock_jumps() const { return clock_.jumps(); }
+    std::size_t clock_jumps() const { return delay_.clock().jumps(); }
 
  private:
-    class Trials;
-
+    void require_next(const FrameDescription& description) const;
+    WaitingVerdict look_at(FrameDescription description, StageTimes& times);
     void insert_released(const std::vector<DelayQueue::Entry>& released, StageTimes& times);
-    std::vector<Candidate> search(const FrameDescription& query, StageTimes& times) const;
-    DetectorOutcome find_loop(const FrameDescription& query, StageTimes& times) const;
-    std::vector<Candidate> in_order_of_promise(const FrameDescription& query,
-                                               std::vector<Candidate> answers,
-                                               StageTimes& times) const;
-    std::vector<Candidate> promising(const FrameDescription& query,
-                                     const std::vector<Candidate>& answers) const;
-    void verify(const HashedFeatures& query,
-                ConsideredCandidate& entry,
-                DetectorOutcome& outcome,
-                StageTimes& times) const;
-    void follow_neighbours(const FrameDescription& query, Trials& trials) const;
-    std::optional<FrameId> neighbour_of(FrameId place, bool later) const;
-    void check_consistency(const HashedFeatures& query,
-                           DetectorOutcome& outcome,
-                           StageTimes& times);
-    void update_belief(const DetectorOutcome& outcome);
-    void ask(const PlaceStates& states,
-             const HashedFeatures& query,
-             DetectorOutcome& outcome,
-             StageTimes& times) const;
-    void judge(FrameVerdict& verdict, Rejection of_pair, double probability) const;
-    std::vector<BelievableCandidate> believable(const DetectorOutcome& outcome) const;
-    std::vector<DetectorOutcome> take_due(StageTimes& times);
+    void confirm(const std::optional<BelievedCandidate>& believed,
+                 const HashedFeatures& query,
+                 DetectorOutcome& outcome,
+                 StageTimes& times) const;
     DetectorOutcome decide(WaitingVerdict waiting, StageTimes& times);
-    void ask_later_frames(DetectorOutcome& outcome, StageTimes& times) const;
-    void add_pose(DetectorOutcome& outcome, StageTimes& times) const;
-    std::optional<FrameId> enqueue(const FrameDescription& description, StageTimes& times);
-    void remember(FrameDescription description, std::optional<FrameId> stands_since);
 
     std::size_t global_dimension_;
-    TIndexOptions index_options_;
-    TCandidateOptions candidate_options_;
-    bool estimates_poses_;
-    std::size_t min_inliers_;
-    DelayQueue queue_;
-    std::unique_ptr<PlaceIndex> index_;
-    PairVerifier pairs_;
-    RelativePoseEstimator poses_;
-    TemporalConsistency consistency_;
-    std::optional<SamePlaceModel> model_;  ///< none: [same_place] is off
-    std::optional<PlaceBelief> belief_;  ///< none: consecutive frames are counted
-    double believable_log_odds_ = 0;  ///< of a pair that may be accepted
-    std::optional<PlaceSmoother> smoother_;  ///< of the waiting frames; none: no look-ahead
+    PlaceMap& places_;
+    PlaceDelay delay_;
+    PlaceRecognizer recognizer_;
+    LoopConsistency consistency_;
     WaitingVerdicts waiting_;
-
-    std::unordered_map<FrameId, Place> places_;
-    std::size_t feature_bytes_ = 0;  ///< of `places_`
-    RecordingClock clock_;
-    double now_ = 0;  ///< of the last usable frame, by the clock
-    Standstill standstill_;
     std::optional<FrameId> last_frame_;
-    std::optional<FrameId> last_released_;  ///< by the delay queue
 };
 
 }  // namespace fild

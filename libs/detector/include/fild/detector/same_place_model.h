@@ -43,14 +43,12 @@ class SamePlaceModel
 
     /** The log-likelihood ratios are limited to +-12 (chance) and +-10 (look-alike): a fit to a few
      *  thousand pairs supports no larger ones. Shares among a few inliers tell nothing of look-alikes:
-     *  that ratio counts from 15 inliers on, and in full from 55. */
+     *  that ratio counts from 10 inliers on, and in full from 40. */
     PairOdds odds(std::size_t inliers, const EvidenceValues& evidence) const;
 
     /** True when the pair alone reaches min_probability, with equal prior odds for all three
      *  explanations. */
     bool convinces(const PairOdds& odds) const { return odds.log_odds() >= min_log_odds_; }
-
-    double min_log_odds() const { return min_log_odds_; }
 
  private:
     EvidenceWeights chance_;

@@ -3,9 +3,9 @@
 
 #include "fild/core/camera_model.h"
 #include "fild/core/descriptors.h"
+#include "fild/core/keypoint_depths.h"
 #include "fild/core/rigid_transform.h"
 #include "fild/geometry/depth_options.h"
-#include "fild/geometry/keypoint_depths.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,8 +3,8 @@
 
 #include "fild/core/camera_model.h"
 #include "fild/core/descriptors.h"
+#include "fild/core/keypoint_depths.h"
 #include "fild/core/rigid_transform.h"
-#include "fild/geometry/keypoint_depths.h"
 #include "fild/geometry/relative_pose_options.h"
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 
 #include "fild/core/descriptors.h"
 #include "fild/core/frame.h"
+#include "fild/core/keypoint_depths.h"
 #include "fild/geometry/depth_options.h"
-#include "fild/geometry/keypoint_depths.h"
 
 namespace fild
 {

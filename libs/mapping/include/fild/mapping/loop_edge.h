@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/detector/place.h"
 #include "fild/geometry/relative_pose.h"
 #include "fild/graph/loop_selection.h"
 #include "fild/graph/trajectory.h"
+#include "fild/places/place.h"
 
 #include <optional>
 #include <string>

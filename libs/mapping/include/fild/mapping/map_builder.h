@@ -2,7 +2,8 @@
 #pragma once
 
 #include "fild/core/stage_times.h"
-#include "fild/detector/loop_detector.h"
+#include "fild/detector/detector_options.h"
+#include "fild/detector/detector_outcome.h"
 #include "fild/graph/frame_poses.h"
 #include "fild/graph/graph_options.h"
 #include "fild/graph/loop_selection.h"
@@ -10,6 +11,7 @@
 #include "fild/mapping/loop_edge.h"
 #include "fild/mapping/motion_agreement.h"
 #include "fild/mapping/pair_poses.h"
+#include "fild/places/place_map.h"
 
 #include <set>
 #include <string>
@@ -79,7 +81,7 @@ class MapBuilder
      *         and the
      *         stages of the pairs of frames that were looked at. */
     Map build(
-        const LoopDetector& detector, StageTimes& times, const GoOn& go_on = [] {}) const;
+        const PlaceMap& places, StageTimes& times, const GoOn& go_on = [] {}) const;
 
  private:
     struct Loop
@@ -89,10 +91,10 @@ class MapBuilder
         std::optional<RelativePose> pose;
     };
 
-    Map map_on_trajectory(const LoopDetector& detector, StageTimes& times, const GoOn& go_on) const;
-    LoopEdge edge_of(const Loop& loop, const LoopDetector& detector) const;
+    Map map_on_trajectory(const PlaceMap& places, StageTimes& times, const GoOn& go_on) const;
+    LoopEdge edge_of(const Loop& loop, const PlaceMap& places) const;
     void scale_by_motion(Map& map,
-                         const LoopDetector& detector,
+                         const PlaceMap& places,
                          StageTimes& times,
                          const GoOn& go_on) const;
     void solve(Map& map, const GoOn& go_on) const;

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "fild/core/stage_times.h"
-#include "fild/detector/loop_detector.h"
+#include "fild/detector/detector_options.h"
 #include "fild/graph/trajectory.h"
 #include "fild/mapping/pair_poses.h"
+#include "fild/places/place_map.h"
 
 #include <cstddef>
 
@@ -46,7 +47,7 @@ struct MotionAgreement
  *  \param trajectory  recorded, not made of the images.
  *  \param times receives "motion_agreement", and within it "matching", "verification" and
  *         "relative_pose". */
-MotionAgreement compare_motions(const LoopDetector& detector,
+MotionAgreement compare_motions(const PlaceMap& places,
                                 const Trajectory& trajectory,
                                 const TDetectorOptions& options,
                                 StageTimes& times,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/keypoint_depths.h"
 #include "fild/core/stage_times.h"
-#include "fild/detector/loop_detector.h"
 #include "fild/detector/pair_verifier.h"
-#include "fild/geometry/keypoint_depths.h"
 #include "fild/graph/trajectory.h"
+#include "fild/places/place_map.h"
 
 #include <cstddef>
 #include <optional>
@@ -26,7 +26,7 @@ class MotionScale
     static constexpr std::size_t kMaxFrames = 300;
 
     /** \param detector,trajectory  outlive this. \throw std::invalid_argument on bad options. */
-    MotionScale(const LoopDetector& detector,
+    MotionScale(const PlaceMap& places,
                 const Trajectory& trajectory,
                 const TDetectorOptions& options);
 
@@ -48,7 +48,7 @@ class MotionScale
                            const RelativeMotion& other_from_frame,
                            StageTimes& times) const;
 
-    const LoopDetector& detector_;
+    const PlaceMap& places_;
     const Trajectory& trajectory_;
     PairVerifier pairs_;
     TDepthOptions options_;

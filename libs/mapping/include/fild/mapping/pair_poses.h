@@ -2,16 +2,16 @@
 #pragma once
 
 #include "fild/core/stage_times.h"
-#include "fild/detector/loop_detector.h"
 #include "fild/detector/pair_verifier.h"
 #include "fild/geometry/relative_pose.h"
+#include "fild/places/place_map.h"
 
 #include <functional>
 #include <vector>
 
 namespace fild
 {
-/** Metric poses between any two frames that the detector keeps: they are matched, verified and
+/** Metric poses between any two places: they are matched, verified and
  *  solved as a loop closure is. Const members may run concurrently, each with its own StageTimes.
  */
 class PairPoses

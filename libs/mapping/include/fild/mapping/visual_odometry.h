@@ -2,9 +2,10 @@
 #pragma once
 
 #include "fild/core/stage_times.h"
-#include "fild/detector/loop_detector.h"
+#include "fild/detector/detector_options.h"
 #include "fild/graph/trajectory.h"
 #include "fild/mapping/pair_poses.h"
+#include "fild/places/place_map.h"
 
 #include <vector>
 
@@ -25,7 +26,7 @@ namespace fild
  *  \param times receives "visual_odometry", and within it "matching", "verification",
  *         "relative_pose" and "motion_depth".
  *  \return none when no frame has depths. */
-std::vector<MeasuredMotion> visual_odometry(const LoopDetector& detector,
+std::vector<MeasuredMotion> visual_odometry(const PlaceMap& places,
                                             FrameId end,
                                             const TDetectorOptions& options,
                                             double max_speed_m_per_s,

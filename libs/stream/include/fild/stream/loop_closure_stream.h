@@ -5,10 +5,13 @@
 #include "fild/core/stage_times.h"
 #include "fild/detector/detector_options.h"
 #include "fild/detector/loop_detector.h"
+#include "fild/detector/loop_poses.h"
+#include "fild/places/place_map.h"
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/input_options.h"
 #include "fild/rawlog/stereo_pairing.h"
 
+#include <cstddef>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -77,6 +80,8 @@ class LoopClosureStream
      */
     explicit LoopClosureStream(const TLoopClosureStreamOptions& options,
                                const std::string& rawlog_path = "");
+    LoopClosureStream(const LoopClosureStream&) = delete;
+    LoopClosureStream& operator=(const LoopClosureStream&) = delete;
 
     /** Takes one observation, and looks at the first frame that is then complete. Nothing comes
      *  back for observations that are not of the wanted camera, and while an image waits for its
@@ -92,21 +97,29 @@ class LoopClosureStream
     std::optional<FedFrame> drain();
 
     /** After drain(): the verdicts that still wait for later frames. */
-    std::vector<DetectorOutcome> finish() { return detector_.finish(times_); }
+    std::vector<DetectorOutcome> finish();
 
     const StereoPairing& pairing() const { return pairing_; }
     const FrameBuilder& frames() const { return frames_; }
     const LoopDetector& detector() const { return detector_; }
+    /** What is kept of every frame that could be used. */
+    const PlaceMap& places() const { return places_; }
+    /** Memory of the places and their descriptors; the links of the HNSW graph (about
+     *  8 x links_per_node bytes a frame) not counted. */
+    std::size_t map_bytes() const { return places_.bytes() + detector_.descriptor_bytes(); }
     const StageTimes& times() const { return times_; }
 
  private:
     std::optional<FedFrame> look_at(const mrpt::obs::CObservation& observation);
+    std::vector<DetectorOutcome> with_poses(std::vector<DetectorOutcome> outcomes);
 
     StereoPairing pairing_;
     std::deque<std::shared_ptr<mrpt::obs::CObservation>> ready_;
     FrameBuilder frames_;
     FrameDescriber describer_;
+    PlaceMap places_;
     LoopDetector detector_;
+    LoopPoses poses_;
     StageTimes times_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fild/geometry/keypoint_depths.h"
+#include "fild/core/keypoint_depths.h"
 
 #include <algorithm>
 

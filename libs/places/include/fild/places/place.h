@@ -4,9 +4,9 @@
 #include "fild/core/camera_model.h"
 #include "fild/core/descriptors.h"
 #include "fild/core/frame.h"
+#include "fild/core/keypoint_depths.h"
 #include "fild/core/rigid_transform.h"
 #include "fild/core/verdict.h"
-#include "fild/geometry/keypoint_depths.h"
 
 #include <optional>
 #include <string>
