@@ -19,6 +19,10 @@ class IniFile : public ::testing::Test
         fild::testing::write_text(path, text);
         return fild::load_ini_file(path);
     }
+    void write(const std::string& name, const std::string& text) const
+    {
+        fild::testing::write_text(folder_.path(name), text);
+    }
     std::string error(const std::string& text) const
     {
         return message_of<std::runtime_error>([&] { load(text); });
@@ -47,6 +51,29 @@ TEST_F(IniFile, NamesPathAndLineOfWhatItRefuses)
     EXPECT_THAT(error("[a]\n=3\n"), HasSubstr("no key"));
     EXPECT_THAT(error("[a]\nx=1\nX=2\n"), HasSubstr("test.ini:3: 'X' has capital letters"));
     EXPECT_THAT(error("[A]\n"), HasSubstr("'A' has capital letters"));
+}
+
+TEST_F(IniFile, TakesOverItsBaseAndSaysWhatDiffers)
+{
+    write("base.ini", "[a]\nx=1\ny=2\n");
+    const auto config = load("# head\nbase = base.ini // beside it\n[a]\ny=3\n[b]\nz=4\n");
+    EXPECT_EQ(config.read_string("a", "x", ""), "1");
+    EXPECT_EQ(config.read_string("a", "y", ""), "3");
+    EXPECT_EQ(config.read_string("b", "z", ""), "4");
+}
+
+TEST_F(IniFile, RefusesABaseThatItCannotTakeOver)
+{
+    EXPECT_THAT(error("\nbase=none.ini\n"),
+                AllOf(HasSubstr("test.ini:2: base: cannot read"), HasSubstr("none.ini;")));
+    EXPECT_THAT(error("base=test.ini\n"), HasSubstr("the base has a base itself"));
+    write("base.ini", "[a]\nx=1\nx=2\n");
+    EXPECT_THAT(
+        error("base=base.ini\n"),
+        AllOf(HasSubstr("test.ini:1: base: "), HasSubstr("base.ini:3: key 'x' stands twice")));
+    write("base.ini", "[a]\nx=1\n");
+    EXPECT_THAT(error("base=base.ini\nbase=base.ini\n"), HasSubstr("'base' stands twice"));
+    EXPECT_EQ(load("[a]\nbase=none.ini\n").read_string("a", "base", ""), "none.ini");
 }
 
 TEST_F(IniFile, PassesOverAByteOrderMark)

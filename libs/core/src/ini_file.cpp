@@ -46,15 +46,27 @@ std::string without_comment(const std::string& line)
     return trimmed(text.substr(0, end));
 }
 
-/** Copies an .ini text line by line, refusing what does not belong there. */
+/** Copies .ini files line by line, each over its base, refusing what does not belong there. */
 class StrictCopier
 {
  public:
-    StrictCopier(const std::string& path, mrpt::config::CConfigFileMemory& target)
-        : path_(path), target_(target)
+    explicit StrictCopier(mrpt::config::CConfigFileMemory& target) : target_(target) {}
+
+    void copy_file(const std::string& path)
     {
+        std::ifstream file(path);
+        if (!file || std::filesystem::is_directory(path))
+            throw std::runtime_error(
+                "cannot read the configuration file " + path +
+                "; the shipped ones are in config-ini of the sources, installed in "
+                "share/mrpt-fild/config-ini");
+        path_ = path;
+        std::string line;
+        for (bool first = true; std::getline(file, line); first = false)
+            copy(first && starts_with(line, kByteOrderMark) ? line.substr(3) : line);
     }
 
+ private:
     void copy(const std::string& raw_line)
     {
         ++line_number_;
@@ -66,7 +78,6 @@ class StrictCopier
             copy_key(line);
     }
 
- private:
     void open_section(const std::string& line)
     {
         if (line.back() != ']') fail("'" + shortened(line) + "' lacks its closing bracket");
@@ -81,13 +92,30 @@ class StrictCopier
         const auto equals = line.find('=');
         if (equals == std::string::npos)
             fail("'" + shortened(line) + "' is neither '[section]' nor 'key = value'");
-        if (section_.empty()) fail("'" + shortened(line) + "' stands before the first [section]");
         const auto key = trimmed(line.substr(0, equals));
+        if (section_.empty() && key == "base") return copy_base(trimmed(line.substr(equals + 1)));
+        if (section_.empty()) fail("'" + shortened(line) + "' stands before the first [section]");
         check_name(key);
         if (key.empty()) fail("'" + shortened(line) + "' has no key before the '='");
         if (!seen_.insert(section_ + "." + key).second)
             fail("key '" + shortened(key) + "' stands twice in [" + shortened(section_) + "]");
         target_.write(section_, key, trimmed(line.substr(equals + 1)));
+    }
+
+    void copy_base(const std::string& name)
+    {
+        if (is_base_) fail("the base has a base itself; name that one");
+        if (!seen_.insert("base").second) fail("'base' stands twice");
+        StrictCopier base(target_);
+        base.is_base_ = true;
+        try
+        {
+            base.copy_file((std::filesystem::path(path_).parent_path() / name).string());
+        }
+        catch (const std::runtime_error& e)
+        {
+            fail(std::string("base: ") + e.what());
+        }
     }
 
     void check_name(const std::string& name) const
@@ -101,8 +129,9 @@ class StrictCopier
         throw std::runtime_error(path_ + ":" + std::to_string(line_number_) + ": " + reason);
     }
 
-    std::string path_;
     mrpt::config::CConfigFileMemory& target_;
+    bool is_base_ = false;
+    std::string path_;
     int line_number_ = 0;
     std::string section_;
     std::set<std::string> seen_;
@@ -116,17 +145,8 @@ std::string unknown_section(const std::string& name, const std::string& known)
 
 mrpt::config::CConfigFileMemory load_ini_file(const std::string& path)
 {
-    std::ifstream file(path);
-    if (!file || std::filesystem::is_directory(path))
-        throw std::runtime_error(
-            "cannot read the configuration file " + path +
-            "; the shipped ones are in config-ini of the sources, installed in "
-            "share/mrpt-fild/config-ini");
     mrpt::config::CConfigFileMemory config;
-    StrictCopier copier(path, config);
-    std::string line;
-    for (bool first = true; std::getline(file, line); first = false)
-        copier.copy(first && starts_with(line, kByteOrderMark) ? line.substr(3) : line);
+    StrictCopier(config).copy_file(path);
     return config;
 }
 
