@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the CMake package: find_package(mrpt-fild) gives the fild:: targets.
+# Installs the CMake package: find_package(mrpt-fild COMPONENTS <module>...) gives the fild:: targets.
 include(CMakePackageConfigHelpers)
 set(FILD_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/mrpt-fild)
-install(EXPORT mrpt-fild-targets NAMESPACE fild:: DESTINATION ${FILD_CMAKE_DIR})
+get_property(components GLOBAL PROPERTY FILD_COMPONENTS)
 configure_package_config_file(
   libs/cmake/mrpt-fild-config.cmake.in ${PROJECT_BINARY_DIR}/mrpt-fild-config.cmake
   INSTALL_DESTINATION ${FILD_CMAKE_DIR})
@@ -21,3 +21,4 @@ install(PROGRAMS datasets-scripts/get-model.sh datasets-scripts/npm_package.sh
   datasets-scripts/tflite_to_onnx.py
   DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild/datasets-scripts)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -14,12 +14,13 @@ function(fild_compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# fild_add_module(NAME <module> SOURCES <files> [PUBLIC <targets>] [PRIVATE <targets>])
+# fild_add_module(NAME <module> SOURCES <files> [PUBLIC <targets>] [PRIVATE <targets>] [NOT_INSTALLED])
 #
 # Library fild_<module> with alias fild::<module>, its public headers in include/fild/<module>,
-# our warnings, installation and export. PUBLIC means "appears in our headers".
+# our warnings, and installation as component <module> of the CMake package. PUBLIC means "appears in our
+# headers".
 function(fild_add_module)
-  cmake_parse_arguments(arg "" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "NOT_INSTALLED" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target fild_${arg_NAME})
   add_library(${target} ${arg_SOURCES})
   add_library(fild::${arg_NAME} ALIAS ${target})
@@ -31,8 +32,62 @@ function(fild_add_module)
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
-  install(TARGETS ${target} EXPORT mrpt-fild-targets)
-  install(DIRECTORY include/fild DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  if(NOT arg_NOT_INSTALLED)
+    install(DIRECTORY include/fild DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    fild_install_component(${arg_NAME} ${arg_PUBLIC} ${arg_PRIVATE})
+  endif()
+endfunction()
+
+# fild_install_component(<module> <target>...): what find_package() runs for the module. It first finds
+# the modules and packages that the targets come from.
+function(fild_install_component module)
+  set(directory ${CMAKE_INSTALL_LIBDIR}/cmake/mrpt-fild)
+  install(TARGETS fild_${module} EXPORT mrpt-fild-${module})
+  install(EXPORT mrpt-fild-${module} NAMESPACE fild:: DESTINATION ${directory}
+    FILE mrpt-fild-${module}-targets.cmake)
+  set(modules ${ARGN})
+  list(FILTER modules INCLUDE REGEX "^fild::")
+  list(TRANSFORM modules REPLACE "^fild::" "")
+  set(dependencies "")
+  foreach(target IN LISTS ARGN)
+    fild_package_of(${target} package)
+    if(package)
+      list(APPEND dependencies "find_dependency(${package})")
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES dependencies)
+  list(JOIN dependencies "\n" dependencies)
+  configure_file("${PROJECT_SOURCE_DIR}/libs/cmake/mrpt-fild-module.cmake.in"
+    "${PROJECT_BINARY_DIR}/mrpt-fild-${module}.cmake" @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/mrpt-fild-${module}.cmake" DESTINATION ${directory})
+  set_property(GLOBAL APPEND PROPERTY FILD_COMPONENTS ${module})
+endfunction()
+
+# fild_package_of(<target> <variable>): the arguments of find_package() that bring the target; empty for our
+# own targets and the C library's.
+function(fild_package_of target variable)
+  set(mrpt::graphslam "mrpt-graphslam 2.5")
+  set(hnswlib::hnswlib hnswlib)
+  set(OSMesa::OSMesa OSMesa)
+  set(Eigen3::Eigen "Eigen3 3.4")
+  set(matio::matio matio)
+  set(nlohmann_json::nlohmann_json "nlohmann_json 3.11")
+  set(OpenSSL::Crypto OpenSSL)
+  set(ZLIB::ZLIB ZLIB)
+  set(Ceres::ceres "Ceres 2.1")
+  set(Threads::Threads Threads)
+  if(DEFINED ${target})
+    set(package "${${target}}")
+  elseif(target MATCHES "^mrpt::(.*)")
+    set(package "MRPT 2.5 COMPONENTS ${CMAKE_MATCH_1}")
+  elseif(target MATCHES "^opencv_(.*)")
+    set(package "OpenCV 4.6 COMPONENTS ${CMAKE_MATCH_1}")
+  elseif(target MATCHES "^fild::" OR target STREQUAL "${CMAKE_DL_LIBS}")
+    set(package "")
+  else()
+    message(FATAL_ERROR "fild_package_of() does not know the package of ${target}")
+  endif()
+  set(${variable} "${package}" PARENT_SCOPE)
 endfunction()
 
 # fild_add_app(<name> SOURCES <files> PRIVATE <targets>): an executable with MRPT's hyphenated name.

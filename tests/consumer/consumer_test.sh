@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # A user's first program: installs the project into an empty folder, cuts the example out of
-# README.md, builds it with find_package(mrpt-fild) and runs it on two laps along a drawn wall.
+# docs/library.md, builds it with find_package(mrpt-fild) and runs it on two laps along a drawn wall.
 set -euo pipefail
 
 if [ $# -lt 4 ]; then
@@ -18,13 +18,13 @@ frames_per_lap=8
 
 fail() { echo "consumer_test.sh: $*" >&2; exit 1; }
 
-# from_readme NAME: the fenced block after the line "<!-- example: NAME -->".
-from_readme() {
+# from_page NAME: the fenced block after the line "<!-- example: NAME -->".
+from_page() {
   awk -v marker="<!-- example: $1 -->" '
     $0 == marker { marked = 1; next }
     marked && /^```/ { if (inside) exit; inside = 1; next }
-    inside' "$source_dir/README.md" > "$work/example/$1"
-  [ -s "$work/example/$1" ] || fail "README.md has no block after '<!-- example: $1 -->'"
+    inside' "$source_dir/docs/library.md" > "$work/example/$1"
+  [ -s "$work/example/$1" ] || fail "docs/library.md has no block after '<!-- example: $1 -->'"
 }
 
 cmake --install "$build_dir" --prefix "$prefix" > "$work/install.log"
@@ -36,10 +36,16 @@ for installed in share/mrpt-fild/config-ini/default.ini bin/rawlog-loop-closure 
 done
 
 mkdir "$work/example" "$work/images"
-from_readme CMakeLists.txt
-from_readme main.cpp
+from_page CMakeLists.txt
+from_page main.cpp
+[ ! -e "$prefix/include/fild/synthetic" ] || fail "the drawn town was installed"
+# What only other components need must not be looked for.
+not_needed=()
+for package in Ceres matio nlohmann_json OpenSSL OSMesa; do
+  not_needed+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON")
+done
 cmake -S "$work/example" -B "$work/example/build" -DCMAKE_PREFIX_PATH="$prefix" \
-  "${cmake_arguments[@]}" > "$work/configure.log" || { cat "$work/configure.log"; exit 1; }
+  "${not_needed[@]}" "${cmake_arguments[@]}" > "$work/configure.log" || { cat "$work/configure.log"; exit 1; }
 cmake --build "$work/example/build"
 
 "$python" "$here/draw_two_laps.py" "$work/images" "$frames_per_lap"
@@ -56,8 +62,13 @@ for ((i = 0; i < frames_per_lap; ++i)); do
 done > "$work/expected.txt"
 diff "$work/expected.txt" "$work/found.txt" || fail "the example found other loops (>) than expected (<)"
 
+sed -i 's/COMPONENTS stream/COMPONENTS sream/' "$work/example/CMakeLists.txt"
+! cmake -S "$work/example" -B "$work/misspelt" -DCMAKE_PREFIX_PATH="$prefix" \
+  "${cmake_arguments[@]}" > "$work/misspelt.log" 2>&1 || fail "a component that does not exist was found"
+grep -q "no component sream" "$work/misspelt.log" || fail "the error does not name the component"
+
 if "$work/example/build/example" "$work/none.rawlog" "$work/wall.ini" 2> "$work/error.txt"; then
   fail "the example took a rawlog that is not there"
 fi
 grep -q none.rawlog "$work/error.txt" || fail "the example's error does not name the file"
-echo "the example of README.md builds and runs"
+echo "the example of docs/library.md builds and runs"
