@@ -33,9 +33,9 @@ Rejection weakness_of(const PairOdds& odds)
                                                          : Rejection::may_be_look_alike;
 }
 
-std::uint64_t frames_between(FrameId a, FrameId b)
+std::size_t instants_between(const Place& a, const Place& b)
 {
-    return a < b ? to_index(b) - to_index(a) : to_index(a) - to_index(b);
+    return std::max(a.instant, b.instant) - std::min(a.instant, b.instant);
 }
 
 std::size_t bytes_of(const HashedFeatures& features)
@@ -164,6 +164,7 @@ std::vector<DetectorOutcome> LoopDetector::process(FrameDescription description,
                                     std::to_string(description.global.size()) +
                                     " numbers instead of " + std::to_string(global_dimension_));
     last_frame_ = description.frame;
+    instant_ = instants_.add(description.sensor_label);
     if (description.defect != Rejection::none)
     {
         waiting_.push({{verdict_of(description, description.defect), {}, {}, {}}, false}, now_);
@@ -209,7 +210,10 @@ void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& release
     {
         const StageTimer timer(times, "index_insertion");
         index_->insert(entry.frame, entry.descriptor);
-        if (belief_) belief_->add_place(entry.frame);
+        const bool is_last_place =
+            last_released_ &&
+            instants_between(places_.at(entry.frame), places_.at(*last_released_)) == 0;
+        if (belief_) belief_->add_place(entry.frame, is_last_place);
         last_released_ = entry.frame;
     }
 }
@@ -275,8 +279,8 @@ std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,
     {
         const auto shows_the_same_place = [&](const Candidate& other)
         {
-            return frames_between(other.frame, answer.frame) <=
-                   static_cast<std::uint64_t>(candidate_options_.place_frames);
+            return instants_between(places_.at(other.frame), places_.at(answer.frame)) <=
+                   static_cast<std::size_t>(candidate_options_.place_frames);
         };
         if (chosen.size() < most && answer.similarity >= index_options_.min_similarity &&
             std::none_of(chosen.begin(), chosen.end(), shows_the_same_place))
@@ -284,8 +288,25 @@ std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,
     }
     if (!candidate_options_.follow_belief) return chosen;
     if (const auto place = belief_->likeliest())
-        chosen.push_back({*place, index_->similarity(query.global, *place)});
+    {
+        const auto frame = seen_by(query.sensor_label, *place);
+        chosen.push_back({frame, index_->similarity(query.global, frame)});
+    }
     return chosen;
+}
+
+/** The frame of a camera at the instant of a place's first frame; that frame when there is none. */
+FrameId LoopDetector::seen_by(const std::string& camera, FrameId first) const
+{
+    const auto instant = places_.at(first).instant;
+    for (auto id = first; id <= *last_released_; id = FrameId{to_index(id) + 1})
+    {
+        const auto found = places_.find(id);
+        if (found == places_.end() || found->second.stands_since) continue;
+        if (found->second.instant != instant) break;
+        if (found->second.sensor_label == camera) return id;
+    }
+    return first;
 }
 
 /** Matches and verifies the query with the entry's candidate, of which the outcome then tells. */
@@ -378,7 +399,8 @@ void LoopDetector::update_belief(const DetectorOutcome& outcome)
     std::vector<ComparedPlace> compared;
     for (const auto& entry : outcome.considered)
         if (entry.checked) compared.push_back({entry.candidate.frame, entry.odds});
-    belief_->update(compared);
+    belief_->update(compared, instant_ != believed_instant_);
+    believed_instant_ = instant_;
     if (smoother_) smoother_->add(*belief_);
 }
 
@@ -479,6 +501,7 @@ void LoopDetector::remember(FrameDescription description, std::optional<FrameId>
                           std::move(description.sensor_label),
                           std::move(description.local),
                           std::move(description.metric),
+                          instant_,
                           stands_since});
 }
 

@@ -17,11 +17,13 @@
 #include "fild/detector/waiting_verdicts.h"
 #include "fild/geometry/relative_pose.h"
 #include "fild/index/delay_queue.h"
+#include "fild/index/instant_counter.h"
 #include "fild/index/place_index.h"
 
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -84,6 +86,7 @@ class LoopDetector
                 StageTimes& times) const;
     void follow_neighbours(const FrameDescription& query, Trials& trials) const;
     std::optional<FrameId> neighbour_of(FrameId place, bool later) const;
+    FrameId seen_by(const std::string& camera, FrameId first) const;
     void check_consistency(const HashedFeatures& query,
                            DetectorOutcome& outcome,
                            StageTimes& times);
@@ -121,6 +124,9 @@ class LoopDetector
     std::size_t feature_bytes_ = 0;  ///< of `places_`
     RecordingClock clock_;
     double now_ = 0;  ///< of the last usable frame, by the clock
+    InstantCounter instants_;
+    std::size_t instant_ = 0;  ///< of the last frame
+    std::size_t believed_instant_ = 0;  ///< of the last frame that the belief was updated with
     Standstill standstill_;
     std::optional<FrameId> last_frame_;
     std::optional<FrameId> last_released_;  ///< by the delay queue
