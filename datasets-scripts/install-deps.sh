@@ -32,6 +32,7 @@ test_packages=(
   python3-opencv                        # checks the converted model, draws runs
   chromium chromium-driver python3-selenium   # looks at reports
   clang-format clang-tidy clang-tools   # formatting and lint
+  g++-aarch64-linux-gnu                 # compiles for arm64
 )
 
 case "${1:-}" in

@@ -660,6 +660,58 @@ TEST(LoopDetector, CountsTheFramesInARowOfEachCamera)
                 testing::ElementsAre(14, 15, 16, 17, 18, 19, 20, 21, 22, 23));
 }
 
+// The nearest neighbours of the last frame of LEFT are four instants, two frames in a row each.
+TEST(LoopDetector, CountsTheFramesOfAPlaceOfEachCamera)
+{
+    auto options = options_with_delay(5);
+    options.index.candidates = 8;
+    options.candidates.place_frames = 1;
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options, kDimension, map);
+    fild::StageTimes times;
+    std::uint64_t frame = 0;
+    std::size_t checked = 0;
+    for (const std::uint64_t place : {10, 11, 20, 21, 22, 23, 24, 25, 10})
+        for (const std::string camera : {"LEFT", "RIGHT"})
+        {
+            auto view = view_of(place + (camera == "LEFT" ? 0 : 1000), 0.1);
+            view.timestamp = 1000 + static_cast<double>(frame / 2);
+            view.frame = FrameId{frame++};
+            view.sensor_label = camera;
+            const auto outcome = detector.process(std::move(view), times).front();
+            if (frame != 17) continue;
+            EXPECT_EQ(outcome.verdict.candidate->frame, FrameId{0});
+            for (const auto& candidate : outcome.considered) checked += candidate.checked;
+        }
+    EXPECT_EQ(checked, 2U);
+}
+
+/** LEFT has come back; the descriptor of RIGHT's frame at the same instant leads nowhere. */
+TEST(LoopDetector, FollowsTheBeliefFromCameraToCamera)
+{
+    auto options = options_with_belief(5);
+    options.index.candidates = 1;
+    options.candidates.follow_belief = true;
+    fild::PlaceMap map;
+    fild::LoopDetector detector(options, kDimension, map);
+    fild::StageTimes times;
+    std::vector<fild::FrameVerdict> verdicts;
+    const std::vector<std::uint64_t> places{10, 20, 30, 10};
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (const bool is_left : {true, false})
+        {
+            auto view = view_of(places[i] + (is_left ? 0 : 1000), 0.1 * static_cast<double>(i));
+            if (i == 3 && !is_left) view.global = view_of(1030, 0).global;
+            view.frame = FrameId{verdicts.size()};
+            view.sensor_label = is_left ? "LEFT" : "RIGHT";
+            view.timestamp = i == 3 ? 10 : static_cast<double>(i);
+            verdicts.push_back(detector.process(std::move(view), times).front().verdict);
+        }
+    ASSERT_TRUE(verdicts[6].accepted());
+    ASSERT_TRUE(verdicts[7].accepted());
+    EXPECT_EQ(verdicts[7].candidate->frame, FrameId{1});
+}
+
 TEST(LoopDetector, GoesOnWhenTheClockJumpsBack)
 {
     fild::PlaceMap map;

@@ -77,6 +77,33 @@ TEST(PlaceBelief, DoubtsAJumpToAFarPlaceButNotANearOne)
     EXPECT_LT(belief_after_jump_to(70), 0.6);
 }
 
+TEST(PlaceBelief, TakesFramesOfOneInstantForOnePlace)
+{
+    auto belief = belief_of(5);
+    belief.add_place(FrameId{5}, true);
+    belief.add_place(FrameId{6});
+    EXPECT_EQ(belief.place_of(FrameId{4}), 4U);
+    EXPECT_EQ(belief.place_of(FrameId{5}), 4U);
+    EXPECT_EQ(belief.place_of(FrameId{6}), 5U);
+    EXPECT_EQ(belief.states().same.size(), 6U);
+    belief.update({{FrameId{4}, {{8, 5}}}, {FrameId{5}, {{8, 5}}}});
+    EXPECT_EQ(belief.evidence().entrances.size(), 1U);
+    EXPECT_EQ(*belief.likeliest(), FrameId{4});
+}
+
+TEST(PlaceBelief, MovesOnceInAnInstant)
+{
+    const auto share_of_place_10 = [](int further_cameras, bool has_moved)
+    {
+        auto belief = belief_of(100);
+        belief.update(seen_at(10, {12, 10}));
+        for (int i = 0; i < further_cameras; ++i) belief.update({}, has_moved);
+        return belief.states().same[10] / fild::sum_of(belief.states().same);
+    };
+    EXPECT_DOUBLE_EQ(share_of_place_10(3, false), share_of_place_10(0, false));
+    EXPECT_LT(share_of_place_10(3, true), 0.7 * share_of_place_10(0, true));
+}
+
 TEST(PlaceBelief, FollowsThePathBackwardToo)
 {
     auto belief = belief_of(100);

@@ -42,11 +42,14 @@ class Motion
     }
 
     /** Probability of each state after the move from one of them. */
-    std::vector<double> after(std::size_t state, const std::vector<Entrance>& entrances) const
+    std::vector<double> after(std::size_t state, const PlaceEvidence& evidence) const
     {
+        const auto& entrances = evidence.entrances;
+        const int step = evidence.has_moved ? options_.place_step : 0;
+        const double leaves = evidence.has_moved ? options_.leave_probability : 0;
         std::vector<double> to(1 + 2 * n_, 0);
         const double jump = entrances.empty() ? 0 : options_.jump_probability;
-        const double stay = 1 - options_.leave_probability - jump;
+        const double stay = 1 - leaves - jump;
         if (state == 0)
         {
             const double returns = entrances.empty() ? 0 : options_.return_probability;
@@ -63,10 +66,10 @@ class Motion
         const std::size_t first = is_look_alike ? 1 + n_ : 1;
         for (std::size_t place = 0; place < n_; ++place)
         {
-            if (distance(place, state - first) > options_.place_step) continue;
-            const double share = 1.0 / (2 * options_.place_step + 1);
+            if (distance(place, state - first) > step) continue;
+            const double share = 1.0 / (2 * step + 1);
             to[first + place] += share * stay;
-            to[0] += share * options_.leave_probability;
+            to[0] += share * leaves;
             for (const auto& [end, was_near] : entrances)
             {
                 const double jumps = share * jump / count(entrances);
@@ -141,7 +144,7 @@ class AllPaths
         const auto& evidence = frames_[frame];
         const auto from =
             frame == 0 ? 0 : number_in_larger_map(state, places(frame - 1), places(frame));
-        const auto to = Motion(options_, places(frame)).after(from, evidence.entrances);
+        const auto to = Motion(options_, places(frame)).after(from, evidence);
         const auto likelihood = in_a_row(evidence.likelihood);
         for (std::size_t next = 0; next < to.size(); ++next)
             if (to[next] > 0)
@@ -181,7 +184,7 @@ TEST(PlaceSmoother, IsTheSumOverAllPathsWhileTheMapGrows)
     for (std::size_t i = 0; i < compared.size(); ++i)
     {
         if (i > 0) belief.add_place(FrameId{i + 1});
-        belief.update(compared[i]);
+        belief.update(compared[i], i != 2);  // another camera at the instant of the frame before
         smoother.add(belief);
         frames.push_back(belief.evidence());
     }

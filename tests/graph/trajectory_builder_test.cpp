@@ -5,6 +5,7 @@
 #include "message_of.h"
 #include "observations.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -131,6 +132,87 @@ TEST(TrajectoryBuilder, GoesOnWhenTheClockJumpsBack)
     for (std::uint64_t i = 0; i < 10; ++i)
         EXPECT_NEAR(x_of(trajectory, i), static_cast<double>(i), 1e-9) << i;
     EXPECT_TRUE(trajectory.motion(FrameId{2}, FrameId{8}));
+}
+
+// Of a drive of 50,000 readings some ten thousand are in memory, and no frame loses its pose.
+TEST(TrajectoryBuilder, KeepsTheReadingsThatFramesNeed)
+{
+    TrajectoryBuilder builder({});
+    std::size_t most = 0;
+    std::uint64_t frame = 0;
+    for (int i = 0; i < 50000; ++i)
+    {
+        builder.feed(odometry_at(i, CPose2D(i, 0, 0)));
+        most = std::max(most, builder.readings_kept());
+        if (i % 100 == 0) builder.add_frame(FrameId{frame++}, i + 0.5);
+    }
+    EXPECT_LT(most, 20200U);
+    EXPECT_EQ(builder.readings(), 50000U);
+    EXPECT_NEAR(builder.motion_so_far()->a_from_b.x(), 49999, 1e-6);
+    builder.add_frame(FrameId{frame}, 45000.5);  // late, but not too late
+    builder.add_frame(FrameId{frame + 1}, 5000.5);
+    const auto trajectory = builder.build();
+    EXPECT_THAT(trajectory.report().frames_without_pose, ElementsAre(FrameId{frame + 1}));
+    for (std::uint64_t i = 0; i < frame; ++i)
+        ASSERT_NEAR(x_of(trajectory, i), 100 * static_cast<double>(i) + 0.5, 1e-6) << i;
+    EXPECT_NEAR(x_of(trajectory, frame), 45000.5, 1e-6);
+    EXPECT_NEAR(trajectory.motion(FrameId{0}, FrameId{499})->a_from_b.x(), 49900, 1e-6);
+}
+
+// When readings are forgotten a frame stands just before the first that is left, and one after the
+// last: neither is given the pose as if the robot had moved as it does in the readings next to it.
+TEST(TrajectoryBuilder, ForgettingMovesNoFrame)
+{
+    TrajectoryBuilder builder({});
+    const auto feed = [&](int i)
+    { builder.feed(odometry_at(i, CPose2D(std::clamp(i - 10000, 0, 10000), 0, 0))); };
+    for (int i = 0; i < 20000; ++i) feed(i);
+    builder.add_frame(FrameId{0}, 9999.5);
+    builder.add_frame(FrameId{1}, 20000.6);
+    feed(20000);
+    ASSERT_EQ(builder.readings_kept(), 10001U);
+    feed(20001);
+    const auto trajectory = builder.build();
+    EXPECT_NEAR(x_of(trajectory, 0), 0, 1e-6) << "it drives on from 10000 s";
+    EXPECT_NEAR(x_of(trajectory, 1), 10000, 1e-6) << "it stands from 20000 s";
+}
+
+// Files that have all readings before all frames, or the other way round.
+TEST(TrajectoryBuilder, FindsReadingsFarFromTheFrame)
+{
+    constexpr std::uint64_t kLast = 30000;
+    TrajectoryBuilder readings_first({});
+    drive(readings_first, 0, kLast + 1);
+    TrajectoryBuilder frames_first({});
+    for (std::uint64_t i = 0; i < kLast; i += 1000)
+        for (auto* builder : {&readings_first, &frames_first})
+            builder->add_frame(FrameId{i}, static_cast<double>(i) + 0.5);
+    drive(frames_first, 0, kLast + 1);
+    for (const auto* builder : {&readings_first, &frames_first})
+    {
+        const auto trajectory = builder->build();
+        EXPECT_THAT(trajectory.report().frames_without_pose, IsEmpty());
+        EXPECT_NEAR(x_of(trajectory, 0), 0.5, 1e-6);
+        EXPECT_NEAR(x_of(trajectory, kLast - 1000), kLast - 1000 + 0.5, 1e-6);
+    }
+}
+
+// The clock jumps back again and again: of the readings of one time, that of the frame's own lap.
+TEST(TrajectoryBuilder, RemembersPosesFromBeforeAClockJump)
+{
+    constexpr int kLap = 12000;
+    constexpr int kReadings = 4 * kLap;
+    TrajectoryBuilder builder({});
+    for (int i = 0; i < kReadings; ++i)
+    {
+        const double seconds = 100 + i % kLap;
+        builder.feed(odometry_at(seconds, CPose2D(i, 0, 0)));
+        if (i % 5 == 0) builder.add_frame(FrameId{static_cast<std::uint64_t>(i)}, seconds);
+    }
+    EXPECT_LT(builder.readings_kept(), 20200U);
+    const auto trajectory = builder.build();
+    for (std::uint64_t i = 0; i < kReadings; i += 5)
+        ASSERT_NEAR(x_of(trajectory, i), static_cast<double>(i), 1e-6) << i;
 }
 
 // One reading with a stamp far ahead, as clocks that are set do: the frames' clock stays.

@@ -73,6 +73,23 @@ TEST(PlaceMap, FollowsTheWayOfOneCamera)
     EXPECT_THROW(map.after(FrameId{3}), std::out_of_range);
 }
 
+TEST(PlaceMap, FindsWhatAnotherCameraSawAtTheSameInstant)
+{
+    PlaceMap map;
+    for (std::uint64_t id = 0; id < 6; ++id)
+    {
+        auto place = place_of(id % 2 == 0 ? "LEFT" : "RIGHT");
+        place.instant = 1 + id / 2;
+        if (id == 5) place.stands_since = FrameId{3};
+        map.append(FrameId{id}, place);
+    }
+    EXPECT_EQ(map.seen_by("RIGHT", FrameId{2}), FrameId{3});
+    EXPECT_EQ(map.seen_by("LEFT", FrameId{3}), FrameId{2});
+    EXPECT_EQ(map.seen_by("LEFT", FrameId{2}), FrameId{2});
+    EXPECT_EQ(map.seen_by("BACK", FrameId{2}), FrameId{2}) << "there is no such camera";
+    EXPECT_EQ(map.seen_by("RIGHT", FrameId{4}), FrameId{4}) << "it stands still";
+}
+
 TEST(PlaceMap, CountsTheMemoryOfItsPlaces)
 {
     PlaceMap map;

@@ -5,7 +5,6 @@ namespace fild
 {
 LoopConsistency::LoopConsistency(const TDetectorOptions& options)
     : rows_(options.consistency),
-      tells_expected_place_(options.candidates.follow_belief),
       believable_log_odds_(believable_log_odds(options)),
       min_log_odds_(log_odds_of(options.same_place.min_probability))
 {
@@ -14,17 +13,18 @@ LoopConsistency::LoopConsistency(const TDetectorOptions& options)
     if (options.consistency.look_ahead_seconds > 0) smoother_.emplace(options.consistency);
 }
 
-void LoopConsistency::add_place(FrameId frame)
+void LoopConsistency::add_place(FrameId frame, std::size_t instant)
 {
-    if (belief_) belief_->add_place(frame);
+    if (belief_) belief_->add_place(frame, instant == last_place_instant_);
+    last_place_instant_ = instant;
 }
 
 std::optional<FrameId> LoopConsistency::expected_place() const
 {
-    return belief_ && tells_expected_place_ ? belief_->likeliest() : std::nullopt;
+    return belief_ ? belief_->likeliest() : std::nullopt;
 }
 
-void LoopConsistency::take(DetectorOutcome& outcome, const PlaceMap& places)
+void LoopConsistency::take(DetectorOutcome& outcome, std::size_t instant, const PlaceMap& places)
 {
     auto& verdict = outcome.verdict;
     if (belief_)
@@ -32,7 +32,8 @@ void LoopConsistency::take(DetectorOutcome& outcome, const PlaceMap& places)
         std::vector<ComparedPlace> compared;
         for (const auto& entry : outcome.considered)
             if (entry.checked) compared.push_back({entry.candidate.frame, entry.odds});
-        belief_->update(compared);
+        belief_->update(compared, instant != last_instant_);
+        last_instant_ = instant;
         if (smoother_) smoother_->add(*belief_);
     }
     else if (!verdict.accepted())

@@ -33,8 +33,9 @@ std::vector<DetectorOutcome> LoopDetector::process(FrameDescription description,
 {
     require_next(description);
     last_frame_ = description.frame;
-    auto verdict = description.defect == Rejection::none ? look_at(std::move(description), times)
-                                                         : unusable(description);
+    const bool is_usable = description.defect == Rejection::none;
+    if (!is_usable) delay_.skip(description);
+    auto verdict = is_usable ? look_at(std::move(description), times) : unusable(description);
     waiting_.push(std::move(verdict), delay_.now());
     std::vector<DetectorOutcome> outcomes;
     while (waiting_.oldest_is_due()) outcomes.push_back(decide(waiting_.pop(), times));
@@ -69,7 +70,7 @@ WaitingVerdict LoopDetector::look_at(FrameDescription description, StageTimes& t
     const auto arrival = delay_.take(description);
     insert_released(arrival.released, times);
     auto outcome = recognizer_.recognize(description, consistency_.expected_place(), times);
-    consistency_.take(outcome, places_);
+    consistency_.take(outcome, arrival.instant, places_);
     confirm(consistency_.believed(outcome), description.local, outcome, times);
     outcome.depth_source = description.metric.depths.source;
     outcome.global = std::move(description.global);
@@ -78,6 +79,7 @@ WaitingVerdict LoopDetector::look_at(FrameDescription description, StageTimes& t
                     std::move(description.sensor_label),
                     std::move(description.local),
                     std::move(description.metric),
+                    arrival.instant,
                     arrival.stands_since});
     const bool may_change = consistency_.waits(outcome);
     return {std::move(outcome), true, may_change};
@@ -90,7 +92,7 @@ void LoopDetector::insert_released(const std::vector<DelayQueue::Entry>& release
     {
         const StageTimer timer(times, "index_insertion");
         recognizer_.insert(entry.frame, entry.descriptor);
-        consistency_.add_place(entry.frame);
+        consistency_.add_place(entry.frame, places_.at(entry.frame).instant);
     }
 }
 

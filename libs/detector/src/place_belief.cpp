@@ -20,17 +20,23 @@ PlaceBelief::PlaceBelief(const TConsistencyOptions& options) : options_(options)
     options_.check();
 }
 
-void PlaceBelief::add_place(FrameId frame)
+void PlaceBelief::add_place(FrameId frame, bool is_last_place)
 {
+    if (is_last_place)
+    {
+        places_of_frames_.emplace(frame, frames_.size() - 1);
+        return;
+    }
     places_of_frames_.emplace(frame, frames_.size());
     frames_.push_back(frame);
     at_.same.push_back(0);
     at_.look_alike.push_back(0);
 }
 
-double PlaceBelief::update(const std::vector<ComparedPlace>& compared)
+double PlaceBelief::update(const std::vector<ComparedPlace>& compared, bool has_moved)
 {
     evidence_ = evidence_of(compared);
+    evidence_.has_moved = has_moved;
     move(evidence_.entrances);
     at_ *= evidence_.likelihood;
     at_.normalize();
@@ -39,14 +45,16 @@ double PlaceBelief::update(const std::vector<ComparedPlace>& compared)
 
 void PlaceBelief::move(std::vector<Entrance>& entrances)
 {
-    auto same = spread(at_.same, options_.place_step);
-    auto look_alike = spread(at_.look_alike, options_.place_step);
+    const int step = evidence_.has_moved ? options_.place_step : 0;
+    const double leaving = evidence_.has_moved ? options_.leave_probability : 0;
+    auto same = spread(at_.same, step);
+    auto look_alike = spread(at_.look_alike, step);
     const auto sums_of_same = running_sums(same);
     const double all_same = sums_of_same.back();
     const double all_look_alike = sum_of(look_alike);
     const double jump = entrances.empty() ? 0 : options_.jump_probability;
     const double entering = entrances.empty() ? 0 : options_.return_probability * at_.new_ground;
-    const double stay = 1 - options_.leave_probability - jump;
+    const double stay = 1 - leaving - jump;
     for (auto& each : same) each *= stay;
     for (auto& each : look_alike) each *= stay;
     for (auto& [i, was_near] : entrances)
@@ -61,7 +69,7 @@ void PlaceBelief::move(std::vector<Entrance>& entrances)
         same[i] += share * ((1 - options_.look_alike_share) * from_far + from_near);
         look_alike[i] += share * (options_.look_alike_share * from_far + jump * all_look_alike);
     }
-    at_.new_ground += options_.leave_probability * (all_same + all_look_alike) - entering;
+    at_.new_ground += leaving * (all_same + all_look_alike) - entering;
     at_.same = std::move(same);
     at_.look_alike = std::move(look_alike);
 }
@@ -69,13 +77,16 @@ void PlaceBelief::move(std::vector<Entrance>& entrances)
 PlaceEvidence PlaceBelief::evidence_of(const std::vector<ComparedPlace>& compared) const
 {
     const std::vector<double> not_compared(frames_.size(), std::exp(kLeastEvidence));
-    PlaceEvidence evidence{{}, {1, not_compared, not_compared}};
+    PlaceEvidence evidence{true, {}, {1, not_compared, not_compared}};
     auto& [new_ground, same, look_alike] = evidence.likelihood;
     for (const auto& [frame, odds] : compared)
     {
         if (!odds) continue;
         const auto compared_place = place_of(frame);
-        evidence.entrances.push_back({compared_place});
+        const auto leads_there = [&](const Entrance& each) { return each.place == compared_place; };
+        auto& entrances = evidence.entrances;
+        if (std::none_of(entrances.begin(), entrances.end(), leads_there))
+            entrances.push_back({compared_place});
         const double against_look_alike = options_.look_alike_weight * odds->against_look_alike;
         const auto place = static_cast<long>(compared_place);
         const long last = std::min(place + kEvidenceReach, static_cast<long>(frames_.size()) - 1);

@@ -11,10 +11,13 @@ PlaceDelay::PlaceDelay(const TIndexOptions& options)
 PlaceDelay::Arrival PlaceDelay::take(const FrameDescription& frame)
 {
     now_ = clock_.advance(frame.sensor_label, frame.timestamp);
+    const auto instant = instants_.add(frame.sensor_label);
     const auto stands_since = standstill_.add(frame.frame, frame.sensor_label, frame.local, now_);
-    if (stands_since) return {stands_since, {}};
+    if (stands_since) return {instant, stands_since, {}};
     const double moving = standstill_.moving_seconds();
-    return {std::nullopt, queue_.push({frame.frame, moving, frame.global, frame.sensor_label})};
+    return {instant,
+            std::nullopt,
+            queue_.push({frame.frame, moving, frame.global, frame.sensor_label})};
 }
 
 }  // namespace fild

@@ -15,9 +15,9 @@ namespace
 {
 constexpr std::size_t kToldAnswers = 10;  // that candidates.csv has, verified or not
 
-std::uint64_t frames_between(FrameId a, FrameId b)
+std::size_t instants_between(const Place& a, const Place& b)
 {
-    return a < b ? to_index(b) - to_index(a) : to_index(a) - to_index(b);
+    return std::max(a.instant, b.instant) - std::min(a.instant, b.instant);
 }
 }  // namespace
 
@@ -126,7 +126,11 @@ DetectorOutcome PlaceRecognizer::recognize(const FrameDescription& query,
 
     Trials trials(*this, query, answers, times);
     auto candidates = chosen(in_order_of_promise(query.local.cells, answers, times));
-    if (expected) candidates.push_back({*expected, index_->similarity(query.global, *expected)});
+    if (expected && options_.follow_belief)
+    {
+        const auto seen = places_.seen_by(query.sensor_label, *expected);
+        candidates.push_back(candidate_at(seen <= *last_in_index_ ? seen : *expected, query));
+    }
     for (const auto& candidate : candidates)
     {
         trials.verify(candidate);
@@ -209,8 +213,8 @@ std::vector<Candidate> PlaceRecognizer::chosen(const std::vector<Candidate>& ans
     {
         const auto shows_the_same_place = [&](const Candidate& other)
         {
-            return frames_between(other.frame, answer.frame) <=
-                   static_cast<std::uint64_t>(options_.place_frames);
+            return instants_between(places_.at(other.frame), places_.at(answer.frame)) <=
+                   static_cast<std::size_t>(options_.place_frames);
         };
         if (chosen.size() < most && answer.similarity >= index_options_.min_similarity &&
             std::none_of(chosen.begin(), chosen.end(), shows_the_same_place))
@@ -230,12 +234,17 @@ void PlaceRecognizer::follow_path(const FrameDescription& query, Trials& trials)
             const auto next = next_on_path(frame, later);
             if (!next) break;
             frame = *next;
-            const Candidate neighbour{frame, index_->similarity(query.global, frame)};
+            const auto neighbour = candidate_at(frame, query);
             const bool better =
                 neighbour.similarity >= index_options_.min_similarity && trials.verify(neighbour);
             not_better = better ? 0 : not_better + 1;
         }
     }
+}
+
+Candidate PlaceRecognizer::candidate_at(FrameId place, const FrameDescription& query) const
+{
+    return {place, index_->similarity(query.global, place)};
 }
 
 std::optional<FrameId> PlaceRecognizer::next_on_path(FrameId place, bool later) const

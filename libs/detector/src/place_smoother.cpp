@@ -25,7 +25,7 @@ PlaceStates PlaceSmoother::oldest() const
     for (auto frame = window_.rbegin(); frame + 1 != window_.rend(); ++frame)
     {
         later *= frame->evidence.likelihood;
-        later = move_back(later, frame->evidence.entrances);
+        later = move_back(later, frame->evidence);
         later.normalize();
         // Places that came into the map with this frame: the camera was at none of them before.
         const auto places = (frame + 1)->evidence.likelihood.same.size();
@@ -38,12 +38,14 @@ PlaceStates PlaceSmoother::oldest() const
 }
 
 /** What is to come, as seen from each state before the move: the transpose of PlaceBelief::move(). */
-PlaceStates PlaceSmoother::move_back(const PlaceStates& later,
-                                     const std::vector<Entrance>& entrances) const
+PlaceStates PlaceSmoother::move_back(const PlaceStates& later, const PlaceEvidence& evidence) const
 {
+    const auto& entrances = evidence.entrances;
+    const int step = evidence.has_moved ? options_.place_step : 0;
+    const double leave = evidence.has_moved ? options_.leave_probability : 0;
     const double jump = entrances.empty() ? 0 : options_.jump_probability;
     const double entering = entrances.empty() ? 0 : options_.return_probability;
-    const double stay = 1 - options_.leave_probability - jump;
+    const double stay = 1 - leave - jump;
     const double look_alike_share = options_.look_alike_share;
 
     double from_far = 0;  // what comes of a jump from far away
@@ -60,7 +62,7 @@ PlaceStates PlaceSmoother::move_back(const PlaceStates& later,
     }
 
     PlaceStates before = later;
-    const double leaving = options_.leave_probability * later.new_ground;
+    const double leaving = leave * later.new_ground;
     const auto sums_of_gains = running_sums(gains);
     for (std::size_t i = 0; i < later.same.size(); ++i)
     {
@@ -68,8 +70,8 @@ PlaceStates PlaceSmoother::move_back(const PlaceStates& later,
         before.same[i] = stay * later.same[i] + leaving + jump * (from_far + gain);
         before.look_alike[i] = stay * later.look_alike[i] + leaving + jump * from_look_alike;
     }
-    before.same = spread(before.same, options_.place_step);
-    before.look_alike = spread(before.look_alike, options_.place_step);
+    before.same = spread(before.same, step);
+    before.look_alike = spread(before.look_alike, step);
     before.new_ground = (1 - entering) * later.new_ground + entering * from_new_ground;
     return before;
 }

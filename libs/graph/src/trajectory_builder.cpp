@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -21,6 +22,7 @@ namespace fild
 {
 namespace
 {
+constexpr auto kAllReadings = std::numeric_limits<std::size_t>::max();
 constexpr double kHalfTurn = 180 * kRadiansPerDegree;
 
 /** The robot's pose at one moment. */
@@ -53,12 +55,20 @@ struct Driven
     }
 };
 
+/** The pose at a time of a run of readings, and the reading that is next to it. */
+struct Found
+{
+    UncertainPose at;
+    std::size_t reading = 0;
+};
+
 /** A camera frame, and how many readings there were before it. */
 struct AwaitedFrame
 {
     FrameId id{};
     double timestamp = 0;
     std::size_t arrival = 0;
+    std::optional<Found> found{};  ///< among the readings that are forgotten
 };
 
 /** Readings [begin, end) whose times grow. */
@@ -66,7 +76,32 @@ struct ClockRun
 {
     std::size_t begin = 0;
     std::size_t end = 0;
+    bool is_cut = false;  ///< the readings before `begin` are forgotten
 };
+
+/** Readings in the order of the recording, without the first `forgotten` ones. */
+struct KeptReadings
+{
+    std::vector<Reading> readings;
+    std::vector<ClockRun> runs;  ///< of readings, or of fixes
+    std::size_t forgotten = 0;
+
+    void forget(std::size_t count);
+};
+
+void KeptReadings::forget(std::size_t count)
+{
+    readings.erase(readings.begin(), readings.begin() + static_cast<std::ptrdiff_t>(count));
+    forgotten += count;
+    std::vector<ClockRun> left;
+    for (const auto& run : runs)
+    {
+        if (run.end <= count) continue;
+        const bool is_cut = run.is_cut || run.begin < count;
+        left.push_back({std::max(run.begin, count) - count, run.end - count, is_cut});
+    }
+    runs = std::move(left);
+}
 
 /** The pose at a share of the way from a to b; below 0 and above 1 as if the robot moved on. */
 Rigid between(const Rigid& a, const Rigid& b, double share)
@@ -103,13 +138,6 @@ std::size_t reading_before(const std::vector<Reading>& readings, ClockRun run, d
                                     readings.begin());
 }
 
-/** The pose at a time of a run of readings, and the reading that is next to it. */
-struct Found
-{
-    UncertainPose at;
-    std::size_t reading = 0;
-};
-
 /** Before the first and after the last reading the robot moves on as it did, for as long as one
  *  reading is from the next. Nothing further away, or in a gap. */
 std::optional<Found> pose_in_run(const std::vector<Reading>& readings,
@@ -123,6 +151,7 @@ std::optional<Found> pose_in_run(const std::vector<Reading>& readings,
         if (std::abs(readings[i].seconds - seconds) > kSameMoment) return std::nullopt;
         return Found{readings[i].at, i};
     };
+    if (run.is_cut && seconds < readings[run.begin].seconds) return std::nullopt;
     if (run.end - run.begin == 1) return alone(run.begin);
     const auto i = std::max(run.begin, reading_before(readings, run, seconds));
     const auto& a = readings[i];
@@ -149,14 +178,15 @@ struct TrajectoryBuilder::State
     bool is_too_fast(const Rigid& before, const Rigid& now, double seconds) const;
     bool is_reset(const Rigid& before, const Rigid& now, double seconds) const;
     void push(double seconds, UncertainPose pose);
+    void forget_readings();
     void begin_segment(UncertainPose& pose);
 
     TGraphOptions options;
     TrajectoryReport report;
     std::set<std::string> other_sources;
-    std::vector<Reading> readings;
+    KeptReadings kept;
+    std::optional<Reading> first_reading;  ///< when it is forgotten
     std::vector<TimedFix> fixes;
-    std::vector<ClockRun> runs;  ///< of readings, or of fixes
     std::optional<double> last_seconds;
     std::optional<Rigid> last_raw;  ///< as the sensor told it
     Driven driven;
@@ -195,7 +225,8 @@ bool TrajectoryBuilder::State::is_source(const std::string& name, const std::str
 bool TrajectoryBuilder::State::is_usable(double seconds)
 {
     constexpr double kLate = 1;  // s; further back is another clock
-    const auto index = options.motion_source == MotionSource::gps ? fixes.size() : readings.size();
+    const auto index =
+        options.motion_source == MotionSource::gps ? fixes.size() : kept.readings.size();
     if (last_seconds && seconds <= *last_seconds && seconds > *last_seconds - kLate)
     {
         ++report.late_readings;
@@ -204,8 +235,8 @@ bool TrajectoryBuilder::State::is_usable(double seconds)
     const bool jumps = last_seconds && seconds < *last_seconds;
     if (jumps) ++report.clock_jumps;
     if (!jumps && last_seconds && seconds - *last_seconds > options.max_gap_s) ++report.gaps;
-    if (jumps || runs.empty()) runs.push_back({index, index});
-    runs.back().end = index + 1;
+    if (jumps || kept.runs.empty()) kept.runs.push_back({index, index});
+    kept.runs.back().end = index + 1;
     last_seconds = seconds;
     ++report.readings;
     return true;
@@ -250,7 +281,48 @@ void TrajectoryBuilder::State::begin_segment(UncertainPose& pose)
 void TrajectoryBuilder::State::push(double seconds, UncertainPose pose)
 {
     current = std::move(pose);
-    readings.push_back({seconds, current});
+    kept.readings.push_back({seconds, current});
+    forget_readings();
+}
+
+namespace
+{
+/** The frame's pose out of the run that has its time; of several, of the one fed nearest to it.
+ *  Only at readings up to number `last`. */
+std::optional<Found> pose_at(const KeptReadings& kept,
+                             const AwaitedFrame& frame,
+                             double max_gap,
+                             std::size_t last)
+{
+    auto best = frame.found;
+    const auto distance = [&](const Found& found)
+    {
+        return found.reading > frame.arrival ? found.reading - frame.arrival
+                                             : frame.arrival - found.reading;
+    };
+    for (const auto& run : kept.runs)
+    {
+        auto found = pose_in_run(kept.readings, run, frame.timestamp, max_gap);
+        if (!found) continue;
+        found->reading += kept.forgotten;
+        if (found->reading > last) continue;
+        if (!best || distance(*found) < distance(*best)) best = std::move(found);
+    }
+    return best;
+}
+}  // namespace
+
+/** Frames that come later need the readings since the last frame, and a late camera some before
+ *  it. Frames that are there keep what they found at the others. */
+void TrajectoryBuilder::State::forget_readings()
+{
+    constexpr std::size_t kLateReadings = 10000;
+    const auto needed = kept.forgotten + 2 * kLateReadings;
+    if (frames.empty() || frames.back().arrival < needed) return;
+    if (!first_reading) first_reading = kept.readings.front();
+    const auto first_kept = frames.back().arrival - kLateReadings;
+    for (auto& frame : frames) frame.found = pose_at(kept, frame, options.max_gap_s, first_kept);
+    kept.forget(first_kept - kept.forgotten);
 }
 
 namespace
@@ -304,7 +376,7 @@ void TrajectoryBuilder::State::add_movement(const MovementReading& reading)
         ++report.unusable_readings;
         return;
     }
-    if (readings.empty() && last_observation_seconds && is_usable(*last_observation_seconds))
+    if (kept.readings.empty() && last_observation_seconds && is_usable(*last_observation_seconds))
         push(*last_observation_seconds, current);
     current.map_from_robot = current.map_from_robot * reading.movement;
     const bool is_own =
@@ -322,15 +394,15 @@ void TrajectoryBuilder::State::add_movement(const MovementReading& reading)
 /** Where the actions led is where the first observation after them was made. */
 void TrajectoryBuilder::State::place_pending_movement(double seconds)
 {
-    const bool is_last = !readings.empty() && last_seconds == seconds;
-    if (!readings.empty() &&
-        is_too_fast(readings.back().at.map_from_robot, current.map_from_robot, seconds))
+    const bool is_last = !kept.readings.empty() && last_seconds == seconds;
+    if (!kept.readings.empty() &&
+        is_too_fast(kept.readings.back().at.map_from_robot, current.map_from_robot, seconds))
     {
-        current = readings.back().at;
+        current = kept.readings.back().at;
         begin_segment(current);
     }
     if (is_last)
-        readings.back().at = current;  // several actions before one time stamp
+        kept.readings.back().at = current;  // several actions before one time stamp
     else if (is_usable(seconds))
         push(seconds, current);
     else
@@ -470,8 +542,7 @@ std::vector<Reading> readings_of_gps(const std::vector<Position>& positions,
 /** What poses of frames are found in. */
 struct PoseSource
 {
-    std::vector<Reading> readings;
-    std::vector<ClockRun> runs;
+    KeptReadings kept;
     std::vector<std::size_t> arrivals;  ///< of all fixes: how many readings there were before
     std::size_t left_out = 0;  ///< fixes
 };
@@ -497,31 +568,10 @@ PoseSource source_of_gps(const std::vector<TimedFix>& fixes,
     for (const auto& run : runs)
     {
         const ClockRun kept{source.arrivals[run.begin], source.arrivals[run.end]};
-        if (kept.begin < kept.end) source.runs.push_back(kept);
+        if (kept.begin < kept.end) source.kept.runs.push_back(kept);
     }
-    source.readings = readings_of_gps(positions, options);
+    source.kept.readings = readings_of_gps(positions, options);
     return source;
-}
-
-/** The frame's pose out of the run that has its time; of several, of the one fed nearest to it. */
-std::optional<UncertainPose> pose_at(const std::vector<Reading>& readings,
-                                     const std::vector<ClockRun>& runs,
-                                     const AwaitedFrame& frame,
-                                     double max_gap)
-{
-    std::optional<Found> best;
-    const auto distance = [&](const Found& found)
-    {
-        return found.reading > frame.arrival ? found.reading - frame.arrival
-                                             : frame.arrival - found.reading;
-    };
-    for (const auto& run : runs)
-    {
-        auto found = pose_in_run(readings, run, frame.timestamp, max_gap);
-        if (found && (!best || distance(*found) < distance(*best))) best = std::move(found);
-    }
-    if (!best) return std::nullopt;
-    return best->at;
 }
 }  // namespace
 
@@ -587,24 +637,28 @@ std::size_t TrajectoryBuilder::readings() const
 
 std::optional<RelativeMotion> TrajectoryBuilder::motion_so_far() const
 {
-    const auto& readings = state_->readings;
+    const auto& readings = state_->kept.readings;
     if (readings.size() < 2) return std::nullopt;
     const auto frame = [](FrameId id, const Reading& reading) {
         return Trajectory::Frame{id, reading.seconds, reading.at};
     };
+    const auto& begin = state_->first_reading ? *state_->first_reading : readings.front();
     const FrameId first{0};
     const FrameId last{1};
-    return Trajectory({frame(first, readings.front()), frame(last, readings.back())}, {})
-        .motion(first, last);
+    return Trajectory({frame(first, begin), frame(last, readings.back())}, {}).motion(first, last);
+}
+
+std::size_t TrajectoryBuilder::readings_kept() const
+{
+    return state_->kept.readings.size() + state_->fixes.size();
 }
 
 Trajectory TrajectoryBuilder::build() const
 {
     const bool is_gps = state_->options.motion_source == MotionSource::gps;
     const auto of_gps =
-        is_gps ? source_of_gps(state_->fixes, state_->runs, state_->options) : PoseSource();
-    const auto& readings = is_gps ? of_gps.readings : state_->readings;
-    const auto& runs = is_gps ? of_gps.runs : state_->runs;
+        is_gps ? source_of_gps(state_->fixes, state_->kept.runs, state_->options) : PoseSource();
+    const auto& kept = is_gps ? of_gps.kept : state_->kept;
     auto report = state_->report;
     report.other_sources.assign(state_->other_sources.begin(), state_->other_sources.end());
     report.implausible_readings = of_gps.left_out;
@@ -613,9 +667,9 @@ Trajectory TrajectoryBuilder::build() const
     for (auto frame : state_->frames)
     {
         if (is_gps) frame.arrival = of_gps.arrivals[frame.arrival];
-        const auto pose = pose_at(readings, runs, frame, state_->options.max_gap_s);
-        if (pose)
-            frames.push_back({frame.id, frame.timestamp, *pose});
+        const auto found = pose_at(kept, frame, state_->options.max_gap_s, kAllReadings);
+        if (found)
+            frames.push_back({frame.id, frame.timestamp, found->at});
         else
             report.frames_without_pose.push_back(frame.id);
     }

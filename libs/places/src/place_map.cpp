@@ -26,9 +26,9 @@ std::size_t bytes_of(const KeypointDepths& depths)
     return (depths.metres.size() + depths.deviations_m.size()) * sizeof(float);
 }
 
-bool is_seen_on_the_way_of(const Place& place, const Place& other)
+bool is_on_the_way_of(const std::string& camera, const Place& place)
 {
-    return place.sensor_label == other.sensor_label && !place.stands_since;
+    return place.sensor_label == camera && !place.stands_since;
 }
 }  // namespace
 
@@ -56,7 +56,7 @@ std::optional<FrameId> PlaceMap::after(FrameId frame) const
 {
     const auto& place = at(frame);
     for (auto i = std::next(position_of(frame)); i != entries_.end(); ++i)
-        if (is_seen_on_the_way_of(i->place, place)) return i->frame;
+        if (is_on_the_way_of(place.sensor_label, i->place)) return i->frame;
     return std::nullopt;
 }
 
@@ -64,8 +64,20 @@ std::optional<FrameId> PlaceMap::before(FrameId frame) const
 {
     const auto& place = at(frame);
     for (auto i = position_of(frame); i != entries_.begin();)
-        if (is_seen_on_the_way_of((--i)->place, place)) return i->frame;
+        if (is_on_the_way_of(place.sensor_label, (--i)->place)) return i->frame;
     return std::nullopt;
+}
+
+FrameId PlaceMap::seen_by(const std::string& camera, FrameId frame) const
+{
+    const auto instant = at(frame).instant;
+    const auto is_of_instant = [instant](const Entry& entry)
+    { return entry.place.instant == instant; };
+    auto i = position_of(frame);
+    while (i != entries_.begin() && is_of_instant(*std::prev(i))) --i;
+    for (; i != entries_.end() && is_of_instant(*i); ++i)
+        if (is_on_the_way_of(camera, i->place)) return i->frame;
+    return frame;
 }
 
 PlaceMap::Position PlaceMap::position_of(FrameId frame) const

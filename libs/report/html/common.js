@@ -140,6 +140,7 @@ function withDefaults(chart, options) {
   const top = options.legend ? legendHeight(chart.getWidth(), options.series.map(({name}) => name)) : 0;
   return {
     animation: false,
+    progressive: 0,  // paper and screenshots would have some of the points
     color: palette,
     aria: {enabled: true},
     textStyle: {fontFamily: getComputedStyle(document.body).fontFamily, fontSize: 13, color: colour('ink')},
@@ -220,8 +221,8 @@ function drawMapOf(positions, makeSeries, options = {}) {
   return chart;
 }
 
-const trajectoryLine = (name, positions, style) => ({
-  name, type: 'line', data: positions.map(p => known(p) ? [p[0], p[1]] : ['-', '-']), showSymbol: false, silent: true, z: 2,
+const trajectoryLine = (name, run, positions, style) => ({
+  name, type: 'line', data: run.shown.map(frame => positions[frame]).map(p => known(p) ? [p[0], p[1]] : ['-', '-']), showSymbol: false, silent: true, z: 2,
   lineStyle: {width: 2, ...style}, itemStyle: {color: style.color, opacity: 0}});  // no mark on its line in the legend
 
 let drawnWidth = window.innerWidth;
@@ -275,7 +276,30 @@ function drawStages(id, bars) {
 
 // ---- Frames of a run --------------------------------------------------------------------------
 
-const frameCountOf = run => run.frames.timestamp.length;
+const frameCountOf = run => run.frame_count;
+
+/** A long recording's page holds some of its frames. Columns become arrays with gaps, so that a frame's
+ *  number is its index; `shown` are the numbers. */
+function prepare(run) {
+  const {number: numbers, sensors, ...columns} = run.frames;
+  run.shown = numbers || Array.from({length: run.frame_count}, (_, frame) => frame);
+  if (!numbers) return;
+  const spread = column => {
+    const whole = new Array(run.frame_count);
+    column.forEach((value, i) => whole[numbers[i]] = value);
+    return whole;
+  };
+  const spreadAll = lists => Object.fromEntries(Object.entries(lists).map(([name, list]) => [name, list.length ? spread(list) : list]));
+  run.frames = {sensors, ...spreadAll(columns)};
+  run.trajectories = spreadAll(run.trajectories);
+  if (run.truth) run.truth.judgement = spread(run.truth.judgement);
+}
+
+for (const run of data.runs || [data]) prepare(run);
+
+/** How many loop closures the run has; the page may hold fewer. */
+const loopCountOf = run => run.verdicts.accepted || 0;
+const isWhole = run => run.shown.length === run.frame_count;
 const baseName = path => path.split('/').filter(Boolean).pop() || path;
 
 /** `accepted`, or why not. */
@@ -333,7 +357,7 @@ function missedText(run, frame) {
 }
 
 /** Frames of a kind, in order. */
-const framesOfKind = (run, kind) => run.frames.rejection.map((_, frame) => frame).filter(frame => kindOf(run, frame) === kind);
+const framesOfKind = (run, kind) => run.shown.filter(frame => kindOf(run, frame) === kind);
 
 const badge = kind => element('b', {class: 'kind ' + kind, title: truthKinds[kind].meaning}, kind);
 

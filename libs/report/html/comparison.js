@@ -31,7 +31,7 @@ const milliseconds = value => number(value, 1) + '\u00a0ms';
 /** Name, the number of a run (undefined: it has none), and how it is written. */
 const metrics = [
   ['camera frames', run => frameCountOf(run), number],
-  ['loop closures', run => run.loops.length, number],
+  ['loop closures', loopCountOf, number],
   ['precision', run => (run.evaluation || {}).precision, share],
   ['recall', run => (run.evaluation || {}).recall, share],
   ['wrong loop closures', run => (run.evaluation || {}).wrong, number],
@@ -80,36 +80,38 @@ function fillOptions() {
 
 // ---- Loop closures ----------------------------------------------------------------------------
 
-const isLoop = (run, frame) => frame < frameCountOf(run) && !run.frames.rejection[frame];
+const isLoop = (run, frame) => frame < frameCountOf(run) && run.frames.rejection[frame] === '';
 const onlyIn = side => runs[side].loops.filter(loop => !isLoop(runs[1 - side], loop.query));
 
 /** Loops of the ground truth that no run found; `run` is the one that has that truth. */
 function missedByBoth() {
-  const run = runs.find(one => one.truth);
+  const side = runs.findIndex(one => one.truth);
+  const run = runs[side];
   return (run ? framesOfKind(run, 'missed') : []).filter(query => !runs.some(one => isLoop(one, query)))
-    .map(query => ({query, run, candidate: missedLoops(run).get(query).place})).filter(({candidate}) => known(candidate));
+    .map(query => ({query, side, candidate: missedLoops(run).get(query).place})).filter(({candidate}) => known(candidate));
 }
 
 function missedSeries(missed) {
   return {name: `missed by both (${missed.length})`, type: 'scatter', symbol: 'circle', symbolSize: 8, itemStyle: markStyle('missed'),
-          data: missed.map(({query, run, candidate}) => ({value: [candidate, query], run, query}))};
+          data: missed.map(({query, side, candidate}) => ({value: [candidate, query], side, query}))};
 }
 
 function drawLoops() {
   const common = runs[0].loops.filter(loop => isLoop(runs[1], loop.query));
   const missed = missedByBoth();
   if (!missed.length && !runs.some(run => run.loops.length)) return say(byId('loops-chart'), 'neither run found a loop closure');
-  const series = (name, symbol, fill, loops, run) => ({
+  // Not the run itself: ECharts copies what is in a point.
+  const series = (name, symbol, fill, loops, side) => ({
     name: `${name} (${loops.length})`, type: 'scatter', symbol, symbolSize: 7, itemStyle: {color: fill},
-    data: loops.map(loop => ({value: [loop.candidate, loop.query], run, query: loop.query}))});
+    data: loops.map(loop => ({value: [loop.candidate, loop.query], side, query: loop.query}))});
   draw('loops-chart', () => ({
     grid: matrixGrid,
-    legend: {}, tooltip: {formatter: item => tooltipOf(item.data.run, item.data.query)},
+    legend: {}, tooltip: {formatter: item => tooltipOf(runs[item.data.side], item.data.query)},
     xAxis: {...frameAxis(frameCount), name: 'earlier frame'},
     yAxis: {...frameAxis(frameCount), name: 'frame', nameGap: 44, inverse: true},
-    series: [series('both', 'circle', '#7f7f7f', common, runs[1]),
-             series(`only ${names[0]}`, 'triangle', sideColour(0), onlyIn(0), runs[0]),
-             series(`only ${names[1]}`, 'diamond', sideColour(1), onlyIn(1), runs[1]),
+    series: [series('both', 'circle', '#7f7f7f', common, 1),
+             series(`only ${names[0]}`, 'triangle', sideColour(0), onlyIn(0), 0),
+             series(`only ${names[1]}`, 'diamond', sideColour(1), onlyIn(1), 1),
              ...(missed.length ? [missedSeries(missed)] : [])],
   }));
 }
@@ -126,11 +128,11 @@ function otherSide(run, name, query) {
 
 function fillDifferences(id, side) {
   const loops = onlyIn(side);
-  byId(id + '-title').textContent = `Only in ${names[side]}: ${number(loops.length)}`;
+  byId(id + '-title').textContent = `Only in ${names[side]}: ${number(data.only[side])}`;
   const shown = loops.filter(loop => pictureOf(runs[side], loop.query));
   const pair = query => () => element('div', {class: 'pair'}, otherSide(runs[side], names[side], query),
                                       otherSide(runs[1 - side], names[1 - side], query));
-  if (shown.length < loops.length)
+  if (shown.length < data.only[side])
     byId(id).before(element('p', {class: 'hint'}, `${shown.length} of them have a picture here; [render] max_match_pictures of `
       + 'the run and --max-pictures say how many.'));
   fillGallery(byId(id), shown.map(loop => pair(loop.query)), loops.length ? 'none of them has a picture' : 'none');
@@ -139,14 +141,14 @@ function fillDifferences(id, side) {
 // ---- Map and time -----------------------------------------------------------------------------
 
 function drawMap() {
-  const lines = () => runs.map((run, i) => [names[i], bestTrajectory(run), {color: sideColour(i), type: i ? 'solid' : 'dashed'}])
-    .filter(([, positions]) => positions.some(known));
+  const lines = () => runs.map((run, i) => [names[i], run, bestTrajectory(run), {color: sideColour(i), type: i ? 'solid' : 'dashed'}])
+    .filter(([, , positions]) => positions.some(known));
   const reasons = new Set(runs.filter(run => !bestTrajectory(run).some(known)).map(run => run.no_map_reason));
   if (!lines().length) return say(byId('map-chart'), [...reasons].join('; '));
   const truth = runs[0].trajectories.truth || runs[1].trajectories.truth;
-  const all = [...lines().map(([, positions]) => positions), truth || []].flat().filter(known);
+  const all = [...lines().map(([, , positions]) => positions), truth || []].flat().filter(known);
   drawMapOf(all, () => [
-    ...(truth ? [trajectoryLine('ground truth', truth, {color: colour('faint'), type: 'dotted'})] : []),
+    ...(truth ? [trajectoryLine('ground truth', runs[runs[0].trajectories.truth ? 0 : 1], truth, {color: colour('faint'), type: 'dotted'})] : []),
     ...lines().map(line => trajectoryLine(...line))]);
 }
 

@@ -38,7 +38,7 @@ function fillHeadline() {
     + (frameCount > 1 ? ` in ${clock(secondsOf(frameCount - 1))}` : '');
   const cards = [
     card(number(frameCount), plural(frameCount, 'camera frame')),
-    card(number(run.loops.length), plural(run.loops.length, 'loop closure')),
+    card(number(loopCountOf(run)), plural(loopCountOf(run), 'loop closure')),
   ];
   const errors = run.evaluation || {};
   if (run.evaluation) {
@@ -114,8 +114,7 @@ function pin(query) {
 
 function rejectedWithPicture() {
   const f = run.frames;
-  return f.rejection.map((_, frame) => frame)
-    .filter(frame => f.rejection[frame] && known(f.candidate[frame]) && pictureOf(run, frame))
+  return run.shown.filter(frame => f.rejection[frame] && known(f.candidate[frame]) && pictureOf(run, frame))
     .sort((a, b) => f.support[b] - f.support[a]);
 }
 
@@ -123,8 +122,8 @@ function fillWrongGallery() {
   const wrong = framesOfKind(run, 'wrong');
   const drawn = wrong.filter(query => pictureOf(run, query));
   if (!wrong.length) return byId('wrong-loops').remove();
-  byId('wrong-title').textContent = `Wrong loop closures (${wrong.length})`;
-  byId('wrong-hint').textContent = (drawn.length < wrong.length ? `${drawn.length} of them have a picture here. ` : '')
+  byId('wrong-title').textContent = `Wrong loop closures (${run.evaluation.wrong})`;
+  byId('wrong-hint').textContent = (drawn.length < run.evaluation.wrong ? `${drawn.length} of them have a picture here. ` : '')
     + 'wrong_loops.csv, which rawlog-loop-closure --ground-truth and loop-closure-eval write, lists all.';
   fillGallery(byId('wrong-gallery'), drawn.map(query => () => figureOf(run, query)), 'none of them has a picture');
 }
@@ -143,8 +142,8 @@ function fillGalleries() {
   const rejected = rejectedWithPicture();
   fillGallery(byId('strongest-rejected'), figures(rejected.slice(0, 2)),
               'no picture: no rejected pair came far enough, or [report] max_rejected_pictures is 0');
-  byId('gallery-hint').textContent = drawn.length < accepted.length
-    ? `${drawn.length} of ${accepted.length} loop closures have a picture here; [render] max_match_pictures and `
+  byId('gallery-hint').textContent = drawn.length < loopCountOf(run)
+    ? `${drawn.length} of ${loopCountOf(run)} loop closures have a picture here; [render] max_match_pictures and `
       + '[report] max_pictures say how many.' : '';
   fillGallery(byId('gallery'), figures(drawn), noPictures);
   const further = rejected.slice(2);
@@ -211,7 +210,7 @@ function mapSeries() {
                  ['optimized', 'optimised path', {color: colour('ink')}]];
   return [
     ...lines.filter(([name]) => run.trajectories[name])
-      .map(([name, title, style]) => trajectoryLine(title, run.trajectories[name], style)),
+      .map(([name, title, style]) => trajectoryLine(title, run, run.trajectories[name], style)),
     ...edgeSeries(rejectedPairs, rejectedWithPicture(), () => ({color: colour('faint'), width: 2, opacity: 0.6, type: 'dotted'})),
     ...(run.truth ? judgedSeries() : loopSeries()), ...endSeries()];
 }
@@ -270,7 +269,7 @@ function endSeries() {
 
 /** Points of a column over frames: accepted and rejected ones or, with truth, its kinds. */
 function pointsOverFrames(column) {
-  const all = run.frames[column].map((value, frame) => ({value: [frame, value], frame}))
+  const all = run.shown.map(frame => ({value: [frame, run.frames[column][frame]], frame}))
     .filter(({value, frame}) => known(value[1]) && known(run.frames.candidate[frame]));
   const series = (name, itemStyle, symbol, wanted, symbolSize = 5) => ({
     name, type: 'scatter', symbol, symbolSize, itemStyle, data: all.filter(({frame}) => wanted(frame))});
@@ -289,7 +288,8 @@ function firstWhitenedFrame() {
   if (!(least > 0)) return null;
   const times = run.frames.timestamp;
   const delay = Number(optionOf(run, 'index', 'delay_seconds'));
-  const first = times.findIndex(time => times[least - 1] <= time - delay);
+  const enough = times[run.shown.find(frame => frame >= least - 1)];
+  const first = run.shown.find(frame => enough <= times[frame] - delay);
   return first > 0 ? first : null;
 }
 
@@ -338,10 +338,7 @@ function drawVerdictCharts() {
 }
 
 function drawReasons() {
-  const counts = new Map();
-  for (let frame = 0; frame < frameCount; ++frame)
-    counts.set(verdictOf(run, frame), (counts.get(verdictOf(run, frame)) || 0) + 1);
-  const sorted = [...counts].sort((a, b) => a[1] - b[1]);
+  const sorted = Object.entries(run.verdicts).sort((a, b) => a[1] - b[1]);
   byId('reasons-chart').style.height = 66 + 34 * sorted.length + 'px';
   draw('reasons-chart', () => ({
     grid: {left: 16, right: 60, top: 8, bottom: 30, containLabel: true},
@@ -432,8 +429,7 @@ function filteredFrames() {
     (frame >= first && frame <= last) || (isSingle && run.frames.candidate[frame] === first));
   const hasVerdict = frame => !verdict || (verdict === withCandidate ? known(run.frames.candidate[frame])
     || kindOf(run, frame) === 'missed' : verdictOf(run, frame) === verdict);
-  const frames = Array.from({length: frameCount}, (_, frame) => frame)
-    .filter(frame => hasVerdict(frame) && (!kind || kindOf(run, frame) === kind) && inRange(frame));
+  const frames = run.shown.filter(frame => hasVerdict(frame) && (!kind || kindOf(run, frame) === kind) && inRange(frame));
   return sortedFrames(frames);
 }
 
@@ -471,7 +467,8 @@ function showPage(wanted) {
   const rows = frames.slice(page * rowsPerPage, (page + 1) * rowsPerPage).map(frame =>
     element('tr', {'data-frame': frame}, ...columns.map(([, value, kind]) => element('td', {class: kind || ''}, value(frame)))));
   byId('frames').replaceChildren(element('thead', {}, head), element('tbody', {}, ...rows));
-  byId('filter-count').textContent = `${number(frames.length)} of ${counting(frameCount, 'frame')}`;
+  byId('filter-count').textContent = `${number(frames.length)} of ${counting(run.shown.length, 'frame')}`
+    + (isWhole(run) ? '' : ` in this page; the recording has ${number(frameCount)}`);
   const turn = (name, to) => {
     const button = element('button', {type: 'button', onclick: () => showPage(to)}, name);
     button.disabled = to < 0 || to >= pages;
@@ -490,8 +487,8 @@ function showFrame(frame) {
 }
 
 function fillTable() {
-  const all = Array.from({length: frameCount}, (_, frame) => frame);
-  const verdicts = [...new Set(all.map(frame => verdictOf(run, frame)))].sort();
+  if (!isWhole(run)) byId('frames-title').textContent = 'Frames in this page';
+  const verdicts = Object.keys(run.verdicts).sort();
   const option = (value, name) => element('option', {value}, name);
   byId('filter-verdict').append(option('', 'all'), ...verdicts.map(name => option(name, words(name))));
   if (run.frames.candidate.some(known)) {
@@ -732,7 +729,7 @@ function fillEdgeVerdict() {
   const over = sigmas => `${number(100 * ratios.filter(ratio => ratio > sigmas).length / ratios.length, 1)}\u00a0%`;
   const verdict = median(ratios) > 1.3 ? 'The edges claim to be more exact than they are.'
     : median(ratios) < 0.4 ? 'The edges are more exact than they claim.' : 'The edges are about as exact as they claim.';
-  byId('edge-verdict').textContent = `${counting(loops.length, 'loop edge')} with a weight, against the ground truth: the position is off by ${
+  byId('edge-verdict').textContent = `${counting(loops.length, 'loop edge')} with a weight${isWhole(run) ? '' : ' in this page'}, against the ground truth: the position is off by ${
     length(median(errors))} in the median, which is ${number(median(ratios), 2)} of the standard deviation that the edge claims; ${
     over(2)} are off by more than 2 of them, ${over(3)} by more than 3 (right claims: median 0.7 to 0.9, at most about 5\u00a0% and 0.3\u00a0%). ${verdict}`;
 }

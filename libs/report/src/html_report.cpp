@@ -3,6 +3,7 @@
 
 #include "comparison.h"
 #include "data_url.h"
+#include "page_frames.h"
 #include "report_pictures.h"
 #include "run_folder.h"
 #include "text_file.h"
@@ -127,14 +128,17 @@ void write_html_report(const std::string& folder,
                        const std::optional<ReportTruth>& truth)
 {
     const auto run = read_run_folder(folder);
-    auto json = run_json(run, truth);
     std::set<FrameId> wrong;
     if (truth)
         for (const auto& loop : truth->evaluation.score.wrong_loops)
             wrong.insert(loop.verdict.frame);
+    const auto pictured = frames_to_show(folder, run.frames, options, wrong);
+    auto page = page_frames(run, truth);
+    add_pairs(page, pictured);
+    auto json = run_json(run, truth, page);
     add_pictures(json,
                  folder,
-                 frames_to_show(folder, run.frames, options, wrong),
+                 pictured,
                  static_cast<std::size_t>(options.max_pictures),
                  options.picture_width_px);
     json["map_pictures"] = map_pictures_json(folder);

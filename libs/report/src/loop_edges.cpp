@@ -106,7 +106,8 @@ void add_edge(Json& json,
 
 Json loops_json(const std::vector<FrameVerdict>& frames,
                 const std::string& loops_csv,
-                const std::map<std::string, PosesOfFrames>& trajectories)
+                const std::map<std::string, PosesOfFrames>& trajectories,
+                const std::vector<bool>& page)
 {
     std::vector<const FrameVerdict*> accepted;
     for (const auto& frame : frames)
@@ -120,6 +121,7 @@ Json loops_json(const std::vector<FrameVerdict>& frames,
     for (std::size_t row = 0; row < accepted.size(); ++row)
     {
         const auto& loop = *accepted[row];
+        if (!page.at(to_index(loop.frame))) continue;
         Json json = {{"query", to_index(loop.frame)},
                      {"candidate", to_index(loop.candidate->frame)},
                      {"inliers", loop.inliers}};

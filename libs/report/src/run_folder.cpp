@@ -8,9 +8,11 @@
 #include "fild/evaluation/frames_csv.h"
 #include "fild/evaluation/metric.h"
 #include "loop_edges.h"
+#include "page_frames.h"
 #include "report_pictures.h"
 #include "rounded.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -39,10 +41,23 @@ Json read_summary(const std::string& path)
     return summary;
 }
 
-/** Columns, not rows: shorter. */
-Json frames_json(const std::vector<FrameVerdict>& frames)
+/** How many frames have each verdict. */
+Json verdicts_json(const std::vector<FrameVerdict>& frames)
+{
+    Json json = Json::object();
+    for (const auto& frame : frames)
+    {
+        const std::string word = frame.accepted() ? "accepted" : to_word(frame.rejection);
+        json[word] = json.value(word, 0) + 1;
+    }
+    return json;
+}
+
+/** Columns, not rows: shorter. `number`, where not all frames are in the page. */
+Json frames_json(const std::vector<FrameVerdict>& frames, const std::vector<bool>& page)
 {
     Json json;
+    const bool is_whole = std::find(page.begin(), page.end(), false) == page.end();
     for (const auto* column : {"timestamp",
                                "sensors",
                                "sensor",
@@ -57,6 +72,9 @@ Json frames_json(const std::vector<FrameVerdict>& frames)
     std::map<std::string, std::size_t> sensors;
     for (const auto& frame : frames)
     {
+        const auto number = to_index(frame.frame);
+        if (!page.at(number)) continue;
+        if (!is_whole) json["number"].push_back(number);
         const auto [sensor, is_new] = sensors.emplace(frame.sensor_label, sensors.size());
         if (is_new) json["sensors"].push_back(frame.sensor_label);
         json["sensor"].push_back(sensor->second);
@@ -73,12 +91,14 @@ Json frames_json(const std::vector<FrameVerdict>& frames)
     return json;
 }
 
-/** x, y, z, metres, for each frame; null where a frame has no pose. Empty without any pose. */
-Json positions_json(const PosesOfFrames& poses)
+/** x, y, z, metres, for each frame of the page; null where it has no pose. Empty without any pose. */
+Json positions_json(const PosesOfFrames& poses, const std::vector<bool>& page)
 {
     Json json = Json::array();
-    for (const auto& pose : poses)
+    for (std::size_t i = 0; i < poses.size(); ++i)
     {
+        if (!page.at(i)) continue;
+        const auto& pose = poses[i];
         Json point;
         for (int axis = 0; pose && axis < 3; ++axis)
             point.push_back(rounded(pose->position[axis], 3));
@@ -158,7 +178,7 @@ Json word_of(const std::optional<Judgement>& judgement)
 
 /** `judgement` of each frame's candidate, accepted or not; `missed`: each loop query without a right
  *  loop closure, a frame at its place and the stage that lost it, as far as they are known. */
-Json truth_json(const RunEvaluation& evaluation)
+Json truth_json(const RunEvaluation& evaluation, const std::vector<bool>& page)
 {
     std::map<FrameId, LossStage> stages;
     if (evaluation.candidates)
@@ -166,6 +186,7 @@ Json truth_json(const RunEvaluation& evaluation)
     Json json = {{"judgement", Json::array()}, {"missed", Json::array()}};
     for (const auto& frame : evaluation.frames)
     {
+        if (!page.at(to_index(frame.verdict.frame))) continue;
         json["judgement"].push_back(word_of(frame.judgement));
         if (!frame.loop_query || frame.answered()) continue;
         Json missed = {{"frame", to_index(frame.verdict.frame)}};
@@ -216,11 +237,11 @@ Json curve_json(const PrecisionRecallCurve& curve)
     return json;
 }
 
-void add_truth(Json& json, const ReportTruth& truth)
+void add_truth(Json& json, const ReportTruth& truth, const std::vector<bool>& page)
 {
     json["evaluation"] = evaluation_json(truth.evaluation);
     json["metrics"] = metrics_json(truth.evaluation);
-    json["truth"] = truth_json(truth.evaluation);
+    json["truth"] = truth_json(truth.evaluation, page);
     json["protocols"] = protocols_json(truth);
     json["curves"] = {{"inliers", curve_json(truth.evaluation.inlier_curve)},
                       {"similarity", curve_json(truth.evaluation.similarity_curve)}};
@@ -273,23 +294,29 @@ RunFolder read_run_folder(const std::string& path)
     return run;
 }
 
-Json run_json(const RunFolder& run, const std::optional<ReportTruth>& truth)
+Json run_json(const RunFolder& run,
+              const std::optional<ReportTruth>& truth,
+              const std::vector<bool>& page)
 {
     const auto trajectories = read_trajectories(run, truth);
     Json json;
     json["summary"] = run.summary;
     json["remarks"] = remarks_on(run.summary, truth);
-    json["frames"] = frames_json(run.frames);
+    if (auto note = note_on_frames(run, truth, page); !note.empty())
+        json["remarks"].push_back(std::move(note));
+    json["frame_count"] = run.frames.size();
+    json["verdicts"] = verdicts_json(run.frames);
+    json["frames"] = frames_json(run.frames, page);
     auto oriented = trajectories;
     if (truth && !truth->oriented) oriented.erase("truth");
-    json["loops"] = loops_json(run.frames, run.path + "/loops.csv", oriented);
+    json["loops"] = loops_json(run.frames, run.path + "/loops.csv", oriented, page);
     json["trajectories"] = Json::object();
     for (const auto& [name, poses] : trajectories)
-        json["trajectories"][name] = positions_json(poses);
+        json["trajectories"][name] = positions_json(poses, page);
     json["no_map_reason"] = why_no_map(run.summary);
     if (fs::exists(run.path + "/costs.csv")) json["costs"] = costs_json(run.path + "/costs.csv");
     json["verdict_meanings"] = verdict_meanings_json();
-    if (truth) add_truth(json, *truth);
+    if (truth) add_truth(json, *truth, page);
     return json;
 }
 

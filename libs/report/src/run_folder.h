@@ -25,7 +25,10 @@ RunFolder read_run_folder(const std::string& path);
 
 /** All that the pages show of a run beside its pictures, as their scripts expect it. A trajectory
  *  is laid over the true one, when there is one.
+ *  \param page  which frames are in it; the numbers count all.
  *  \throw std::runtime_error naming the file that is cut off or not of this run. */
-nlohmann::ordered_json run_json(const RunFolder& run, const std::optional<ReportTruth>& truth);
+nlohmann::ordered_json run_json(const RunFolder& run,
+                                const std::optional<ReportTruth>& truth,
+                                const std::vector<bool>& page);
 
 }  // namespace fild

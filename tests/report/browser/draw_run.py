@@ -38,7 +38,7 @@ class Drive:
         if frame < self.lap or frame == 0:
             return None
         place = frame - self.lap
-        is_wrong = self.is_accepted(frame) and sum(self.is_accepted(i) for i in range(self.lap, frame)) < self.wrong
+        is_wrong = self.wrong > 0 and self.is_accepted(frame) and sum(self.is_accepted(i) for i in range(self.lap, frame)) < self.wrong
         return (place + self.lap // 3) % self.lap if is_wrong else place
 
     def is_accepted(self, frame):

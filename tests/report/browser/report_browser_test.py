@@ -446,6 +446,34 @@ class ReportOfAnUnusualRun(PageTest):
         self.assertLess(os.path.getsize(page), 25e6)
 
 
+    def test_of_a_hundred_thousand_frames(self):
+        folder = self.path("endless")
+        write_run(Drive(100000), folder)
+        page = make_report(folder)
+        self.assertLess(os.path.getsize(page), 10e6)
+        self.browser.open(page)
+        self.expect_quiet()
+        self.expect_fit()
+        self.expect_sense()
+        self.assertIn("100,000\ncamera frames\n40,000\nloop closures", self.browser.element("#headline").text)
+        self.assertRegex(self.browser.element("#remarks").text, r"This page holds \d+ of 100000 frames: \d+ of 40000 loop closures")
+        self.assertEqual(self.browser.element("#frames-title").text, "Frames in this page")
+        self.assertRegex(self.browser.element("#filter-count").text, r"in this page; the recording has 100,000")
+        last, x, y = self.browser.run("""
+            const chart = echarts.getInstanceByDom(byId('inliers-chart'));
+            const last = run.loops.at(-1).query;
+            return [last, ...chart.convertToPixel('grid', [last, run.frames.inliers[last]])]""")
+        self.assertGreater(last, 99900)
+        self.browser.point_at("#inliers-chart", x, y)
+        self.browser.click()  # of points that lie this close any may be the one
+        self.browser.wait_for("return document.querySelectorAll('#frames tbody tr').length === 1")
+        frame, inliers = self.browser.run("""
+            const row = document.querySelector('#frames tbody tr');
+            return [Number(row.dataset.frame), row.children[columns.findIndex(([name]) => name === 'inliers')].textContent]""")
+        self.assertGreater(frame, 99000)
+        self.assertEqual(inliers, str(self.browser.run(f"return run.frames.inliers[{frame}]")))
+
+
 class Comparison(PageTest):
     def compare(self, first, second, *more):
         page = self.path("comparison.html")
@@ -478,6 +506,17 @@ class Comparison(PageTest):
         self.assertGreater(missed[0], 0)
         width = self.browser.run("return byId('loops-chart').offsetWidth / byId('loops-chart').parentElement.clientWidth")
         self.assertGreater(width, 0.9)
+
+    def test_of_long_runs_counts_all_loops(self):
+        folders = [self.path("long"), self.path("long_without_loops")]
+        write_run(Drive(30000), folders[0])
+        write_run(Drive(30000, loops=False), folders[1])
+        self.browser.open(self.compare(*folders))
+        self.expect_quiet()
+        self.expect_sense()
+        self.assertIn("loop closures 12,000 0", self.browser.element("#metrics").text)
+        self.assertIn("Only in long: 12,000", self.browser.element("#only-first-title").text)
+        self.assertIn("Only in long_without_loops: 0", self.browser.element("#only-second-title").text)
 
     def test_of_a_run_with_itself_finds_no_difference(self):
         folder = self.path("same")

@@ -25,7 +25,7 @@ struct TCandidateOptions : Options
      *  best first. Needs [global_descriptor] cell_layer. 0: all neighbours are, most similar
      *  first. */
     int best_by_cells = 0;
-    /** Of nearest neighbours at most `place_frames` frames apart only the most similar is verified:
+    /** Of nearest neighbours at most `place_frames` frames of a camera apart only the most similar is verified:
      *  they show one place, and neighbour_reach finds its best frame. 0: all are verified. */
     int place_frames = 0;
     /** Frames of the same camera before and after the best candidate are verified too, until
@@ -57,7 +57,8 @@ struct TConsistencyOptions : Options
     /** A jump over more places of the earlier path than these may end at a look-alike, in
      *  look_alike_share of all cases. */
     int near_places = 40;
-    /** Largest number of places moved along the earlier path per frame, forward or backward. */
+    /** Largest number of places moved along the earlier path per frame of a camera, forward or
+     *  backward; frames of several cameras at one instant are one place. */
     int place_step = 3;
     /** Weight of a frame's evidence for or against a look-alike. Below 1, because look-alikes come
      *  in rows. */

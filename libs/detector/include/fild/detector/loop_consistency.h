@@ -10,6 +10,7 @@
 #include "fild/detector/temporal_consistency.h"
 #include "fild/places/place_map.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -31,15 +32,18 @@ class LoopConsistency
     /** \throw std::invalid_argument on bad options. */
     explicit LoopConsistency(const TDetectorOptions& options);
 
-    /** The frame is a place of the map from now on. */
-    void add_place(FrameId frame);
+    /** The frame is a place of the map from now on: with frames of other cameras at one instant it is
+     *  one place of the belief. */
+    void add_place(FrameId frame, std::size_t instant);
 
-    /** Where the camera is believed to be; none without a belief, or when it is weak. */
+    /** The first frame of the place where the camera is believed to be; none without a belief, or when it
+     *  is weak. */
     std::optional<FrameId> expected_place() const;
 
     /** Takes the next frame, each pair of which was judged alone. Without a belief its verdict is the
-     *  last one: a verified frame that closes no row becomes not_consistent_yet. */
-    void take(DetectorOutcome& outcome, const PlaceMap& places);
+     *  last one: a verified frame that closes no row becomes not_consistent_yet.
+     *  \param instant  of the frame. */
+    void take(DetectorOutcome& outcome, std::size_t instant, const PlaceMap& places);
 
     /** What this frame, the last taken, and those before it say; none without a belief or without a
      *  candidate that could be believed. */
@@ -63,9 +67,10 @@ class LoopConsistency
     TemporalConsistency rows_;
     std::optional<PlaceBelief> belief_;  ///< none: consecutive frames are counted
     std::optional<PlaceSmoother> smoother_;  ///< of the waiting frames; none: no look-ahead
-    bool tells_expected_place_;
     double believable_log_odds_;  ///< of a pair that may be accepted
     double min_log_odds_;  ///< of a loop closure
+    std::size_t last_place_instant_ = 0;  ///< of the last place; 0: there is none
+    std::size_t last_instant_ = 0;  ///< of the last frame taken
 };
 
 }  // namespace fild

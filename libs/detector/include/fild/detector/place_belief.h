@@ -38,14 +38,16 @@ class PlaceBelief
     /** \throw std::invalid_argument on bad options. */
     explicit PlaceBelief(const TConsistencyOptions& options);
 
-    /** Adds a frame as the next place along the path. */
-    void add_place(FrameId frame);
+    /** Adds a frame as the next place along the path, or to the last place: frames of several cameras
+     *  at one instant are one place. */
+    void add_place(FrameId frame, bool is_last_place = false);
 
     /** Updates the belief with the next frame.
      *  \param compared  places of the map that it was compared with; all others count as slightly
      *         unlikely.
+     *  \param has_moved  false for a further camera's frame of the same instant.
      *  \return the probability that the frame shows a place of the map. */
-    double update(const std::vector<ComparedPlace>& compared);
+    double update(const std::vector<ComparedPlace>& compared, bool has_moved = true);
 
     /** The most probable place; none when the camera is at a known place with a probability below
      *  0.2. */
@@ -65,7 +67,7 @@ class PlaceBelief
     void move(std::vector<Entrance>& entrances);
 
     TConsistencyOptions options_;
-    std::vector<FrameId> frames_;
+    std::vector<FrameId> frames_;  ///< the first of each place
     std::unordered_map<FrameId, std::size_t> places_of_frames_;
     PlaceStates at_{1, {}, {}};  ///< probability of each state
     PlaceEvidence evidence_;

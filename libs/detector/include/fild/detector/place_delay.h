@@ -6,6 +6,7 @@
 #include "fild/detector/recording_clock.h"
 #include "fild/detector/standstill.h"
 #include "fild/index/delay_queue.h"
+#include "fild/index/instant_counter.h"
 
 #include <cstddef>
 #include <optional>
@@ -23,13 +24,17 @@ class PlaceDelay
     /** What a new frame brings about. */
     struct Arrival
     {
-        std::optional<FrameId> stands_since;  ///< as Place::stands_since, of the new frame
+        std::size_t instant = 0;  ///< as Place::instant, of the new frame
+        std::optional<FrameId> stands_since;  ///< as Place::stands_since
         std::vector<DelayQueue::Entry> released;  ///< are places from now on, oldest first
     };
 
     explicit PlaceDelay(const TIndexOptions& options);
 
     Arrival take(const FrameDescription& frame);
+
+    /** Passes over a frame that cannot be used. */
+    void skip(const FrameDescription& frame) { instants_.add(frame.sensor_label); }
 
     /** When the last frame was recorded, by the clock of the recording, seconds. */
     double now() const { return now_; }
@@ -42,6 +47,7 @@ class PlaceDelay
     RecordingClock clock_;
     Standstill standstill_;
     DelayQueue queue_;
+    InstantCounter instants_;
     double now_ = 0;
 };
 

@@ -35,7 +35,8 @@ class PlaceRecognizer
      *  \throw std::invalid_argument when the descriptor has another length. */
     void insert(FrameId frame, const GlobalDescriptor& descriptor);
 
-    /** \param expected  is verified, too: where the camera is believed to be.
+    /** \param expected  where the camera is believed to be: with follow_belief what this camera saw there
+     *         is verified, too.
      *  \param times  receives "index_search", "cells", "matching", "verification" and "evidence".
      *  \return the verdict on the best pair, all that was looked at, and what a loop is made of but
      *  its pose. */
@@ -62,6 +63,7 @@ class PlaceRecognizer
                                                StageTimes& times) const;
     std::vector<Candidate> chosen(const std::vector<Candidate>& answers) const;
     void follow_path(const FrameDescription& query, Trials& trials) const;
+    Candidate candidate_at(FrameId place, const FrameDescription& query) const;
     std::optional<FrameId> next_on_path(FrameId place, bool later) const;
 
     TIndexOptions index_options_;

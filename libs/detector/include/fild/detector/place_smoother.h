@@ -42,7 +42,7 @@ class PlaceSmoother
         PlaceEvidence evidence;
     };
 
-    PlaceStates move_back(const PlaceStates& later, const std::vector<Entrance>& entrances) const;
+    PlaceStates move_back(const PlaceStates& later, const PlaceEvidence& evidence) const;
 
     TConsistencyOptions options_;
     std::deque<SeenFrame> window_;

@@ -31,6 +31,7 @@ struct Entrance
 /** What one frame tells the model. */
 struct PlaceEvidence
 {
+    bool has_moved = true;  ///< false: the frame before was of the same instant
     std::vector<Entrance> entrances;
     PlaceStates likelihood;  ///< of the comparisons, in each state; 1 on new ground
 };

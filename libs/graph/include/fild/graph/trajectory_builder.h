@@ -40,7 +40,9 @@ namespace fild
  *    (TGraphOptions::max_speed_m_per_s), begins a new segment at the last pose; so do actions that
  *    lead further. GPS fixes that are too far from the others are left out.
  *
- *  Memory grows with the number of readings. Deterministic. Not thread-safe: one caller at a time.
+ *  Memory grows with the number of frames and of GPS fixes; of other readings those since the last
+ *  frame are kept, and 10,000 before it at the least: frames that come later still have no pose.
+ *  Deterministic. Not thread-safe: one caller at a time.
  */
 class TrajectoryBuilder
 {
@@ -61,6 +63,9 @@ class TrajectoryBuilder
 
     /** Usable readings of the source so far. */
     std::size_t readings() const;
+
+    /** Readings in memory. */
+    std::size_t readings_kept() const;
 
     /** From the first reading to the last one, in constant time. Nothing before the second one,
      *  when the odometry was reset between them, and with MotionSource::gps. */

@@ -8,6 +8,7 @@
 #include "fild/core/rigid_transform.h"
 #include "fild/core/verdict.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,7 @@ struct Place
     std::string sensor_label;
     HashedFeatures local;
     MetricView metric;
+    std::size_t instant = 0;  ///< see InstantCounter
     std::optional<FrameId> stands_since{};  ///< the camera shows what it did at that frame
 };
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <string>
 
 namespace fild
 {
@@ -28,6 +29,11 @@ class PlaceMap
     std::optional<FrameId> after(FrameId frame) const;
     /** As after(), backwards. */
     std::optional<FrameId> before(FrameId frame) const;
+
+    /** The frame of a camera at the same instant; the frame itself where that camera has none, or stands
+     *  still.
+     *  \throw std::out_of_range as at(). */
+    FrameId seen_by(const std::string& camera, FrameId frame) const;
 
     std::size_t size() const { return entries_.size(); }
 
