@@ -23,6 +23,9 @@ void TGraphOptions::describe(OptionVisitor& visitor)
     visitor.real("max_gap_s", max_gap_s, 1e-3, 1e6);
     visitor.real("max_speed_m_per_s", max_speed_m_per_s, 0.1, 1e4);
     visitor.real("gps_sigma_m", gps_sigma_m, 1e-3, 1e3);
+    visitor.real("gps_differential_sigma_m", gps_differential_sigma_m, 1e-3, 1e3);
+    visitor.real("gps_rtk_float_sigma_m", gps_rtk_float_sigma_m, 1e-3, 1e3);
+    visitor.real("gps_rtk_sigma_m", gps_rtk_sigma_m, 1e-3, 1e3);
     visitor.real("gps_heading_baseline_m", gps_heading_baseline_m, 0.1, 1e3);
     visitor.real("keyframe_distance_m", keyframe_distance_m, 0, 1e4);
     visitor.real("keyframe_angle_deg", keyframe_angle_deg, 0, 180);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/graph/trajectory.h"
 
+#include "fild/graph/trajectory_frame.h"
 #include "information.h"
-#include "trajectory_frame.h"
-#include "wheel_model.h"
+#include "least_covariance.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -63,6 +63,11 @@ Trajectory::Trajectory(std::vector<Frame> frames, TrajectoryReport report)
     for (const auto& frame : frames_)
         poses_.push_back(
             {frame.id, frame.timestamp, to_pose(frame.at.map_from_robot), frame.at.segment});
+}
+
+Trajectory::Trajectory(const Trajectory& motion, TrajectoryReport report) : Trajectory(motion)
+{
+    report_ = std::move(report);
 }
 
 Trajectory::Trajectory(const Trajectory&) = default;

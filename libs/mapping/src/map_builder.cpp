@@ -98,13 +98,13 @@ const char* to_word(TrajectorySource source)
 }
 
 MapBuilder::MapBuilder(const TDetectorOptions& detector_options, const TGraphOptions& graph_options)
-    : detector_options_(detector_options), graph_options_(graph_options), trajectory_(graph_options)
+    : detector_options_(detector_options), graph_options_(graph_options), recorder_(graph_options)
 {
 }
 
 void MapBuilder::add_frame(FrameId frame, double timestamp)
 {
-    trajectory_.add_frame(frame, timestamp);
+    recorder_.add_frame(frame, timestamp);
     end_ = FrameId{to_index(frame) + 1};
 }
 
@@ -133,6 +133,18 @@ Map MapBuilder::build(const LoopDetector& detector, StageTimes& times, const GoO
     return map;
 }
 
+/** By the source that the options name; the other one is among the unused sources. */
+Trajectory MapBuilder::recorded_motion() const
+{
+    const bool is_gps = graph_options_.motion_source == MotionSource::gps;
+    auto used = is_gps ? recorder_.gps_alone() : recorder_.odometry();
+    const auto other = is_gps ? recorder_.odometry() : recorder_.gps_alone();
+    auto report = used.report();
+    if (!other.report().source.empty()) report.other_sources.push_back(other.report().source);
+    std::sort(report.other_sources.begin(), report.other_sources.end());
+    return {used, std::move(report)};
+}
+
 Map MapBuilder::map_on_trajectory(const LoopDetector& detector,
                                   StageTimes& times,
                                   const GoOn& go_on) const
@@ -141,7 +153,7 @@ Map MapBuilder::map_on_trajectory(const LoopDetector& detector,
     TrajectoryReport report;
     {
         const StageTimer timer(times, "trajectory");
-        auto recorded = trajectory_.build();
+        auto recorded = recorded_motion();
         report = recorded.report();
         unused = report.other_sources;
         if (!recorded.poses().empty())

@@ -2,14 +2,13 @@
 #include "fild/rawlog/recorded_path.h"
 
 #include "fild/core/geodetic.h"
+#include "fild/rawlog/motion_readings.h"
 #include "fild/rawlog/rawlog_reader.h"
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/math/CQuaternion.h>
 #include <mrpt/math/TPoint3D.h>
-#include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationRobotPose.h>
-#include <mrpt/obs/gnss_messages_ascii_nmea.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,20 +39,6 @@ class LocalPlane
     std::optional<EastNorthUp> plane_;
 };
 
-std::optional<GeodeticPosition> fix_of(const mrpt::obs::CObservationGPS& gps)
-{
-    using mrpt::obs::gnss::Message_NMEA_GGA;
-    if (!gps.hasMsgClass<Message_NMEA_GGA>()) return std::nullopt;
-    const auto& fields = gps.getMsgByClass<Message_NMEA_GGA>().fields;
-    constexpr int kNoFix = 0;
-    const bool is_finite = std::isfinite(fields.latitude_degrees) &&
-                           std::isfinite(fields.longitude_degrees) &&
-                           std::isfinite(fields.altitude_meters);
-    if (fields.fix_quality == kNoFix || !is_finite) return std::nullopt;
-    return GeodeticPosition{
-        fields.latitude_degrees, fields.longitude_degrees, fields.altitude_meters};
-}
-
 /** Nothing where the pose is not known: NaN. */
 std::optional<StampedPose> robot_pose(const mrpt::obs::CObservationRobotPose& observation,
                                       double seconds)
@@ -79,11 +64,9 @@ class PathCollector
         if (robot != nullptr)
             if (const auto pose = robot_pose(*robot, seconds))
                 path(Source::robot_pose, observation).push_back(*pose);
-        const auto* gps = dynamic_cast<const mrpt::obs::CObservationGPS*>(&observation);
-        if (gps == nullptr) return;
-        if (const auto fix = fix_of(*gps))
+        if (const auto fix = gps_fix_of(observation))
         {
-            const auto place = planes_[observation.sensorLabel].east_north(*fix);
+            const auto place = planes_[observation.sensorLabel].east_north(fix->place);
             path(Source::gps, observation).push_back({seconds, place.x, place.y, 0});
         }
     }

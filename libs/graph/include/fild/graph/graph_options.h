@@ -62,8 +62,12 @@ struct TGraphOptions : Options
     /** Two readings further apart than this speed allows are a reset of the odometry, GPS fixes
      *  that are so are left out, and so are motions that the images tell. */
     double max_speed_m_per_s = 60;
-    /** GPS: standard deviation of a horizontal position at HDOP 1, metres. */
+    /** GPS: standard deviation of a horizontal position at HDOP 1, metres, by the quality that its
+     *  GGA message tells. Heights are twice as uncertain. */
     double gps_sigma_m = 2;
+    double gps_differential_sigma_m = 0.8;
+    double gps_rtk_float_sigma_m = 0.3;
+    double gps_rtk_sigma_m = 0.03;  ///< fixed
     /** GPS: the heading is that of a movement of at least so many metres, of half as many at the
      *  ends of the drive. */
     double gps_heading_baseline_m = 10;

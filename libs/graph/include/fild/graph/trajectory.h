@@ -56,6 +56,8 @@ class Trajectory
  public:
     struct Frame;
     Trajectory(std::vector<Frame> frames, TrajectoryReport report);
+    /** The same motion, with another report. */
+    Trajectory(const Trajectory& motion, TrajectoryReport report);
     Trajectory(const Trajectory&);
     Trajectory(Trajectory&&) noexcept;
     Trajectory& operator=(const Trajectory&) = delete;

@@ -6,9 +6,9 @@
 #include "fild/graph/frame_poses.h"
 #include "fild/graph/graph_options.h"
 #include "fild/graph/loop_selection.h"
-#include "fild/graph/trajectory_builder.h"
 #include "fild/mapping/loop_edge.h"
 #include "fild/mapping/motion_agreement.h"
+#include "fild/mapping/motion_recorder.h"
 #include "fild/mapping/pair_poses.h"
 
 #include <set>
@@ -62,8 +62,8 @@ class MapBuilder
     MapBuilder(const TDetectorOptions& detector_options, const TGraphOptions& graph_options);
 
     /** To be called for every entry of the rawlog, in its order, before it is given to a stream. */
-    void feed(const mrpt::obs::CObservation& observation) { trajectory_.feed(observation); }
-    void feed(const mrpt::obs::CActionCollection& actions) { trajectory_.feed(actions); }
+    void feed(const mrpt::obs::CObservation& observation) { recorder_.feed(observation); }
+    void feed(const mrpt::obs::CActionCollection& actions) { recorder_.feed(actions); }
 
     /** A camera frame, after its observation was fed. */
     void add_frame(FrameId frame, double timestamp);
@@ -89,6 +89,7 @@ class MapBuilder
         std::optional<RelativePose> pose;
     };
 
+    Trajectory recorded_motion() const;
     Map map_on_trajectory(const LoopDetector& detector, StageTimes& times, const GoOn& go_on) const;
     LoopEdge edge_of(const Loop& loop, const LoopDetector& detector) const;
     void scale_by_motion(Map& map,
@@ -99,7 +100,7 @@ class MapBuilder
 
     TDetectorOptions detector_options_;
     TGraphOptions graph_options_;
-    TrajectoryBuilder trajectory_;
+    MotionRecorder recorder_;
     std::vector<Loop> loops_;
     FrameId end_{};  ///< the frame after the last one
 };
