@@ -52,6 +52,16 @@ Vector6 tangent_of(const Rigid& a_from_b)
     return tangent;
 }
 
+Rigid rigid_of(const Vector6& tangent)
+{
+    const Eigen::Vector3d turn = tangent.tail<3>();
+    const double angle = turn.norm();
+    Rigid rigid;
+    rigid.translation = tangent.head<3>();
+    if (angle > 0) rigid.rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+    return rigid;
+}
+
 Matrix6 adjoint(const Rigid& a_from_b)
 {
     const auto& t = a_from_b.translation;

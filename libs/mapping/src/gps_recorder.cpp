@@ -14,7 +14,7 @@ namespace
 struct RatedReceiver
 {
     const GpsReceiver* receiver;
-    const std::vector<std::size_t>* arrivals;
+    const std::vector<AwaitedFrame>* frames;
     std::vector<bool> plausible;
     double median_sigma = std::numeric_limits<double>::infinity();
 };
@@ -45,18 +45,15 @@ void GpsRecorder::feed(const mrpt::obs::CObservation& observation)
     const auto name = name_of(observation);
     auto found = sensors_.find(name);
     if (found == sensors_.end())
-        found = sensors_
-                    .emplace(name,
-                             Sensor{GpsReceiver(name, options_),
-                                    std::vector<std::size_t>(frames_.size(), 0)})
-                    .first;
+        found = sensors_.emplace(name, Sensor{GpsReceiver(name, options_), frames_}).first;
     found->second.receiver.feed(observation);
 }
 
 void GpsRecorder::add_frame(FrameId frame, double timestamp)
 {
     frames_.push_back({frame, timestamp, 0});
-    for (auto& [name, sensor] : sensors_) sensor.arrivals.push_back(sensor.receiver.fixes().size());
+    for (auto& [name, sensor] : sensors_)
+        sensor.frames.push_back({frame, timestamp, sensor.receiver.fixes().size()});
 }
 
 GpsRecord GpsRecorder::build() const
@@ -66,7 +63,7 @@ GpsRecord GpsRecorder::build() const
     {
         const auto& fixes = sensor.receiver.fixes();
         rated.push_back({&sensor.receiver,
-                         &sensor.arrivals,
+                         &sensor.frames,
                          plausible_fixes(fixes, options_),
                          median_sigma(fixes, options_)});
     }
@@ -78,7 +75,7 @@ GpsRecord GpsRecorder::build() const
     record.origin = origin_of(rated);
     const EastNorthUp map(record.origin);
     for (const auto& each : rated)
-        record.tracks.push_back(each.receiver->track(each.plausible, map, *each.arrivals));
+        record.tracks.push_back(each.receiver->track(each.plausible, map, *each.frames));
     return record;
 }
 

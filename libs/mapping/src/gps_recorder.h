@@ -28,8 +28,6 @@ class GpsRecorder
     /** A camera frame at its place among the observations. */
     void add_frame(FrameId frame, double timestamp);
 
-    const std::vector<AwaitedFrame>& frames() const { return frames_; }
-
     /** The map's origin is the first plausible fix of the best receiver; (0, 0) when no receiver has
      *  one. A receiver is there even if it never had a fix. */
     GpsRecord build() const;
@@ -38,12 +36,12 @@ class GpsRecorder
     struct Sensor
     {
         GpsReceiver receiver;
-        std::vector<std::size_t> arrivals;  ///< of each frame: how many fixes there were before
+        std::vector<AwaitedFrame> frames;  ///< and how many fixes there were before each
     };
 
     TGraphOptions options_;
     std::map<std::string, Sensor> sensors_;  ///< by name
-    std::vector<AwaitedFrame> frames_;
+    std::vector<AwaitedFrame> frames_;  ///< before any fix
 };
 
 }  // namespace fild

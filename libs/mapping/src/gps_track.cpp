@@ -67,7 +67,7 @@ void GpsReceiver::feed(const mrpt::obs::CObservation& observation)
 
 GpsTrack GpsReceiver::track(const std::vector<bool>& plausible,
                             const EastNorthUp& map,
-                            const std::vector<std::size_t>& arrivals) const
+                            const std::vector<AwaitedFrame>& frames) const
 {
     GpsTrack track;
     std::vector<std::size_t> before;  // of each fix: how many positions
@@ -89,7 +89,8 @@ GpsTrack GpsReceiver::track(const std::vector<bool>& plausible,
         const ClockRun kept{before[run.begin], before[run.end]};
         if (kept.begin < kept.end) track.runs.push_back(kept);
     }
-    for (const auto arrival : arrivals) track.arrivals.push_back(before[arrival]);
+    for (const auto& frame : frames)
+        track.frames.push_back({frame.id, frame.timestamp, before[frame.arrival]});
     auto& report = track.report;
     report.source = name_;
     report.readings = track.positions.size();
@@ -102,17 +103,13 @@ GpsTrack GpsReceiver::track(const std::vector<bool>& plausible,
     return track;
 }
 
-Trajectory trajectory_of(const GpsTrack& track,
-                         const std::vector<AwaitedFrame>& frames,
-                         const TGraphOptions& options)
+Trajectory trajectory_of(const GpsTrack& track, const TGraphOptions& options)
 {
     const auto readings = readings_of(track, options);
     auto report = track.report;
     std::vector<Trajectory::Frame> placed;
-    for (std::size_t i = 0; i < frames.size(); ++i)
+    for (const auto& frame : track.frames)
     {
-        auto frame = frames[i];
-        frame.arrival = track.arrivals[i];
         const auto pose = pose_at(readings, track.runs, frame, options.max_gap_s);
         if (pose)
             placed.push_back({frame.id, frame.timestamp, *pose});

@@ -26,7 +26,7 @@ struct GpsTrack
     TrajectoryReport report;
     std::vector<GpsPosition> positions;
     std::vector<ClockRun> runs;  ///< of positions
-    std::vector<std::size_t> arrivals;  ///< of each frame: how many positions there were before
+    std::vector<AwaitedFrame> frames;  ///< all camera frames, and how many positions came before
 };
 
 /** The fixes of one receiver, in the order of the recording. */
@@ -45,10 +45,10 @@ class GpsReceiver
     const std::vector<TimedFix>& fixes() const { return fixes_; }
 
     /** \param plausible  of each fix.
-     *  \param arrivals  of each frame: how many fixes there were before. */
+     *  \param frames  and how many fixes there were before each. */
     GpsTrack track(const std::vector<bool>& plausible,
                    const EastNorthUp& map,
-                   const std::vector<std::size_t>& arrivals) const;
+                   const std::vector<AwaitedFrame>& frames) const;
 
  private:
     std::string name_;
@@ -61,10 +61,7 @@ class GpsReceiver
 
 /** The robot's poses by one receiver alone. The heading is that of the movement over
  *  TGraphOptions::gps_heading_baseline_m, so a robot that drives backwards looks the wrong way;
- *  pitch and roll are 0.
- *  \param frames  as GpsTrack::arrivals has them. */
-Trajectory trajectory_of(const GpsTrack& track,
-                         const std::vector<AwaitedFrame>& frames,
-                         const TGraphOptions& options);
+ *  pitch and roll are 0. */
+Trajectory trajectory_of(const GpsTrack& track, const TGraphOptions& options);
 
 }  // namespace fild

@@ -60,7 +60,7 @@ Trajectory MotionRecorder::gps_alone() const
 {
     const auto record = gps();
     if (record.tracks.empty()) return {{}, {}};
-    return trajectory_of(record.tracks.front(), state_->gps.frames(), state_->options);
+    return trajectory_of(record.tracks.front(), state_->options);
 }
 
 }  // namespace fild

@@ -7,11 +7,12 @@
 
 namespace fild
 {
-/** What the input trajectory is made from. */
-enum class MotionSource
+/** Which sources of the robot's motion are used. Value type. */
+struct MotionSources
 {
-    odometry,  ///< CObservationOdometry, CObservationRobotPose, or the actions of a rawlog
-    gps  ///< CObservationGPS with GGA messages; heading from the motion
+    bool odometry = true;  ///< CObservationOdometry, CObservationRobotPose, or a rawlog's actions
+    bool vision = true;  ///< stereo pairs and depth images
+    bool gps = true;  ///< CObservationGPS with GGA messages
 };
 
 /** How certain the odometry is said to be. */
@@ -38,8 +39,9 @@ enum class TrajectoryFormat
 /** Section `[graph]`: from odometry and loop closures to an optimised map. */
 struct TGraphOptions : Options
 {
-    MotionSource motion_source = MotionSource::odometry;
-    /** Label of the sensor to take the motion from. Empty: the first that can give it. */
+    /** `auto`, all that there are, or some of odometry, vision and gps, separated by commas. */
+    std::string motion_sources = "auto";
+    /** Label of the odometry to use. Empty: the first. */
     std::string motion_sensor_label;
 
     /** The model unless the recording's own are known to be good: those of actions mostly come from
@@ -96,6 +98,9 @@ struct TGraphOptions : Options
     TrajectoryFormat trajectory_format = TrajectoryFormat::tum;
     /** Write the keyframes with their observations. */
     bool simple_map = true;
+
+    /** What motion_sources says. \throw std::invalid_argument naming the word that is not one. */
+    MotionSources sources() const;
 
  protected:
     void describe(OptionVisitor& visitor) override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/geodetic.h"
 #include "fild/core/stage_times.h"
 #include "fild/detector/loop_detector.h"
 #include "fild/graph/frame_poses.h"
@@ -9,20 +10,25 @@
 #include "fild/mapping/loop_edge.h"
 #include "fild/mapping/motion_agreement.h"
 #include "fild/mapping/motion_recorder.h"
+#include "fild/mapping/motion_source_use.h"
 #include "fild/mapping/pair_poses.h"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace fild
 {
+struct MotionEstimate;
+
 /** Where a map's input trajectory comes from. */
 enum class TrajectorySource
 {
     none,  ///< the recording has no odometry, and the images no depth
     recorded,  ///< odometry, actions, robot poses or GPS
-    vision  ///< stereo pairs or depth images, see visual_odometry()
+    vision,  ///< stereo pairs or depth images, see visual_odometry()
+    combined  ///< both
 };
 
 /** The enumerator's name. */
@@ -33,8 +39,14 @@ struct Map
 {
     Trajectory trajectory;  ///< as it was before the loops
     TrajectorySource trajectory_source = TrajectorySource::none;
-    std::vector<std::string> unused_sources{};  ///< of motion, that the recording has too
-    TrajectoryReport recorded{};  ///< of the recording's motion, used or not
+    std::vector<MotionSourceUse> sources{};  ///< of motion, that the recording has
+    std::vector<std::string> unused_sources{};  ///< odometries beside the one that is used
+    /** Of the odometry and the GPS receivers, used or not. */
+    std::vector<TrajectoryReport> recorded{};
+    std::optional<GeodeticPosition> origin{};  ///< of a map that lies east, north and up of it
+    std::string compared_source{};  ///< that `agreement` is about
+    double loop_noise_scale = 1;  ///< that the covariances of `loops` were found too small by
+    double motion_noise_scale = 1;  ///< likewise of the motion between keyframes
     MotionAgreement agreement{};  ///< of the images with the recorded motion, where that is used
     /** Nodes at their optimised poses, loops with a weight of more than 0; see solved_graph(). */
     PoseGraph graph{};
@@ -51,10 +63,11 @@ struct Map
 
 /** Gathers what a rawlog tells beside its images, and the detector's answers; then builds the map.
  *
- *  Where the recording has no odometry, stereo pairs and depth images give the motion. A single
- *  camera gets its scale from the odometry: frames of loops that have no depth of their own are
- *  triangulated against frames nearby. Deterministic, with any number of threads. Not thread-safe:
- *  one caller at a time. */
+ *  The motion is that of all sources of TGraphOptions::sources() that the recording has: odometry
+ *  and the motion by stereo pairs or depth images are joined, each with the weight of its
+ *  covariance, and GPS receivers say where keyframes are. A single camera gets its scale from the
+ *  motion: frames of loops that have no depth of their own are triangulated against frames nearby.
+ *  Deterministic, with any number of threads. Not thread-safe: one caller at a time. */
 class MapBuilder
 {
  public:
@@ -89,14 +102,15 @@ class MapBuilder
         std::optional<RelativePose> pose;
     };
 
-    Trajectory recorded_motion() const;
-    Map map_on_trajectory(const LoopDetector& detector, StageTimes& times, const GoOn& go_on) const;
+    Trajectory image_motion(const LoopDetector& detector,
+                            StageTimes& times,
+                            const GoOn& go_on) const;
     LoopEdge edge_of(const Loop& loop, const LoopDetector& detector) const;
     void scale_by_motion(Map& map,
                          const LoopDetector& detector,
                          StageTimes& times,
                          const GoOn& go_on) const;
-    void solve(Map& map, const GoOn& go_on) const;
+    void solve(Map& map, const MotionEstimate& estimate, const GoOn& go_on) const;
 
     TDetectorOptions detector_options_;
     TGraphOptions graph_options_;
