@@ -9,6 +9,7 @@
 #include "fild/rawlog/pose_conversion.h"
 #include "fild/report/pose_csv.h"
 #include "map_notes.h"
+#include "track_kml.h"
 
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3D.h>
@@ -80,6 +81,12 @@ std::size_t frames_without_pose(const Map& map, std::size_t camera_frames)
     return camera_frames - std::min(camera_frames, map.trajectory.poses().size());
 }
 
+/** What files of pose graphs can hold: no priors. */
+PoseGraph edges_of(const PoseGraph& graph)
+{
+    return {graph.nodes, graph.odometry, graph.loops, {}};
+}
+
 void write_trajectories(const Map& map,
                         const MappedRawlog& rawlog,
                         TrajectoryFormat format,
@@ -99,6 +106,37 @@ void write_trajectories(const Map& map,
     write_trajectory(folder.file("trajectory_input" + ending), map.trajectory.poses(), format);
     write_trajectory(folder.file("trajectory_optimized" + ending), map.optimized, format);
 }
+void add_sources(MapSummary& summary, const Map& map)
+{
+    summary.other_sources = map.unused_sources;
+    std::vector<std::string> used;
+    for (const auto& source : map.sources)
+    {
+        summary.sources.push_back({source.kind,
+                                   source.name,
+                                   source.factors,
+                                   source.without_weight,
+                                   source.contradictions,
+                                   source.noise_scale,
+                                   source.left_out});
+        auto& names = source.left_out.empty() ? used : summary.other_sources;
+        names.push_back(source.name);
+    }
+    summary.trajectory_source = joined(used, ", ");
+    std::sort(summary.other_sources.begin(), summary.other_sources.end());
+}
+
+void add_readings(MapSummary& summary, const std::vector<TrajectoryReport>& recorded)
+{
+    for (const auto& report : recorded)
+    {
+        summary.implausible_readings += report.implausible_readings;
+        summary.late_readings += report.late_readings;
+        summary.gaps += report.gaps;
+        summary.clock_jumps += report.clock_jumps;
+        summary.unusable_readings += report.unusable_readings;
+    }
+}
 }  // namespace
 
 void remove_map_files(const OutputFolder& folder)
@@ -110,6 +148,7 @@ void remove_map_files(const OutputFolder& folder)
                              "trajectory_optimized.tum",
                              "trajectory_input.kitti",
                              "trajectory_optimized.kitti",
+                             "track.kml",
                              "map.simplemap",
                              "map.3Dscene",
                              "map_top.png",
@@ -131,11 +170,16 @@ std::vector<std::string> write_map_files(const Map& map,
     }
     write_poses(map, folder.file("poses.csv"));
     write_trajectories(map, rawlog, options.trajectory_format, folder, notes);
-    const auto connected = part_of(map.graph, map.parts.front());
-    if (map.parts.size() > 1)
-        notes.push_back("the pose graph is in " + std::to_string(map.parts.size()) +
-                        " parts without an edge between them, so their relative poses are unknown; "
-                        "poses.graph and poses.g2o have the largest, " +
+    if (map.origin) write_track_kml(map, folder.file("track.kml"));
+    const auto edges = edges_of(map.graph);
+    const auto parts = connected_parts(edges);
+    const auto connected = part_of(edges, parts.front());
+    if (parts.size() > 1)
+        notes.push_back("the pose graph is in " + std::to_string(parts.size()) +
+                        " parts without an edge between them" +
+                        (map.parts.size() > 1 ? ", so their relative poses are unknown"
+                                              : ", which GPS alone puts in place") +
+                        "; poses.graph and poses.g2o have the largest, " +
                         std::to_string(connected.nodes.size()) + " of " +
                         std::to_string(map.graph.nodes.size()) +
                         " keyframes, the other files have all");
@@ -158,17 +202,14 @@ MapSummary summary_of(const Map& map, std::size_t camera_frames, const TGraphOpt
 {
     MapSummary summary;
     summary.frames_without_pose = frames_without_pose(map, camera_frames);
-    const auto& report = map.trajectory.report();
-    summary.implausible_readings = report.implausible_readings;
     summary.trajectory = to_word(map.trajectory_source);
-    if (map.trajectory_source == TrajectorySource::recorded)
-        summary.trajectory_source = report.source;
-    summary.other_sources = map.unused_sources;
-    summary.late_readings = report.late_readings;
-    summary.resets = report.resets;
-    summary.gaps = report.gaps;
-    summary.clock_jumps = report.clock_jumps;
-    summary.unusable_readings = report.unusable_readings;
+    summary.resets = map.trajectory.report().resets;
+    add_sources(summary, map);
+    add_readings(summary, map.recorded);
+    summary.loop_noise_scale = map.loop_noise_scale;
+    summary.motion_noise_scale = map.motion_noise_scale;
+    if (const auto& origin = map.origin)
+        summary.origin = {origin->latitude_deg, origin->longitude_deg, origin->height_m};
     summary.nodes = map.graph.nodes.size();
     summary.odometry_edges = map.graph.odometry.size();
     summary.loop_edges = map.graph.loops.size();

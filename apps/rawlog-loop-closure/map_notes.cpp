@@ -25,24 +25,32 @@ std::string in_short(double number)
     return {text.data(), end.ptr};
 }
 
-/** Why no reading of the robot's motion was used, where there are some. */
-void add_note_on_sources(const Map& map, Notes& notes)
+/** Sources of motion without a part in the map, and those that are less certain than they say. */
+void add_notes_on_sources(const Map& map, Notes& notes)
 {
-    if (map.unused_sources.empty()) return;
-    const auto unused = joined(map.unused_sources, ", ");
-    if (map.trajectory_source == TrajectorySource::recorded)
-        notes.push_back("the robot's motion is that of " + map.recorded.source + "; not used: " +
-                        unused + "; [graph] motion_source and motion_sensor_label choose");
-    else
-        notes.push_back(unused +
-                        " of the recording gives no frame a pose, or is not what [graph] "
-                        "motion_source and motion_sensor_label ask for");
+    constexpr double kNotable = 3;
+    if (!map.unused_sources.empty())
+        notes.push_back("odometries that were not used: " + joined(map.unused_sources, ", ") +
+                        "; [graph] motion_sensor_label chooses");
+    for (const auto& source : map.sources)
+    {
+        if (!source.left_out.empty())
+            notes.push_back(source.name + " has no part in the map: " + source.left_out);
+        else if (source.noise_scale >= kNotable)
+            notes.push_back(source.name + " was weighed down: its errors are " +
+                            in_short(source.noise_scale) + " times as large as it says");
+        if (source.kind == "gps" && 10 * source.without_weight > source.factors)
+            notes.push_back(std::to_string(source.without_weight) + " of " +
+                            count_of(source.factors, "position") + " by " + source.name +
+                            " contradict the rest of the map and do not count");
+    }
 }
 
 /** Readings that cannot be right. */
-void add_notes_on_readings(const Map& map, const TGraphOptions& options, Notes& notes)
+void add_notes_on_readings(const TrajectoryReport& recorded,
+                           const TGraphOptions& options,
+                           Notes& notes)
 {
-    const auto& recorded = map.recorded;
     const auto limit =
         "[graph] max_speed_m_per_s = " + in_short(options.max_speed_m_per_s) + " allows";
     if (recorded.fixes_without_gga > 0)
@@ -81,7 +89,7 @@ bool tells_no_movement(const Map& map)
 void add_notes_on_agreement(const Map& map, Notes& notes)
 {
     const auto& agreement = map.agreement;
-    const auto& source = map.recorded.source;
+    const auto& source = map.compared_source;
     if (tells_no_movement(map))
         notes.push_back(source + " tells no movement from the first frame to the last");
     if (agreement.contradicts_directions())
@@ -159,8 +167,8 @@ std::vector<std::string> notes_on_map(const Map& map,
                                       const TGraphOptions& options)
 {
     Notes notes;
-    add_note_on_sources(map, notes);
-    add_notes_on_readings(map, options, notes);
+    add_notes_on_sources(map, notes);
+    for (const auto& recorded : map.recorded) add_notes_on_readings(recorded, options, notes);
     add_notes_on_agreement(map, notes);
     add_note_on_frames(map, summary, notes);
     add_notes_on_loops(summary, notes);

@@ -7,7 +7,7 @@
 #include "fild/graph/frame_poses.h"
 #include "fild/graph/graph_builder.h"
 #include "fild/graph/loop_selection.h"
-#include "fild/graph/trajectory_builder.h"
+#include "fild/mapping/trajectory_builder.h"
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/rawlog_reader.h"
 

@@ -2,7 +2,7 @@
 #include "fild/graph/frame_poses.h"
 
 #include "fild/graph/graph_builder.h"
-#include "fild/graph/trajectory_builder.h"
+#include "fild/mapping/trajectory_builder.h"
 #include "observations.h"
 
 #include <gtest/gtest.h>

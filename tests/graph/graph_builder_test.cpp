@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/graph/graph_builder.h"
 
-#include "fild/graph/trajectory_builder.h"
+#include "fild/mapping/trajectory_builder.h"
 #include "message_of.h"
 #include "observations.h"
 #include "small_graphs.h"

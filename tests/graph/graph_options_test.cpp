@@ -22,7 +22,7 @@ TEST(GraphOptions, DefaultsAreValidAndSurviveARoundTrip)
 {
     TGraphOptions options;
     EXPECT_NO_THROW(options.check());
-    options.motion_source = fild::MotionSource::gps;
+    options.motion_sources = "gps,vision";
     options.odometry_covariance = fild::OdometryCovariance::own;
     options.graph_dimensions = fild::GraphDimensions::planar;
     options.trajectory_format = fild::TrajectoryFormat::kitti;
@@ -44,6 +44,19 @@ TEST(GraphOptions, SayWhatIsWrong)
                 HasSubstr("one of: 2d, 3d"));
     EXPECT_THAT(message_of<std::runtime_error>([] { parsed("pairwise_confidence = 1"); }),
                 HasSubstr("pairwise_confidence=1 outside"));
+    EXPECT_THAT(message_of<std::runtime_error>([] { parsed("motion_sources = gps, wheels"); }),
+                HasSubstr("'wheels' is not one of odometry, vision, gps"));
+    EXPECT_THAT(message_of<std::runtime_error>([] { parsed("motion_sources ="); }),
+                HasSubstr("names no source"));
+}
+
+TEST(GraphOptions, NameTheSourcesOfMotion)
+{
+    const auto all = TGraphOptions().sources();
+    EXPECT_TRUE(all.odometry && all.vision && all.gps);
+    const auto two = parsed("motion_sources = gps, odometry").sources();
+    EXPECT_TRUE(two.odometry && two.gps);
+    EXPECT_FALSE(two.vision);
 }
 
 TEST(GraphOptions, NeedAReasonForKeyframes)

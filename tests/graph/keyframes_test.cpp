@@ -2,7 +2,7 @@
 #include "fild/graph/keyframes.h"
 
 #include "fild/core/angle.h"
-#include "fild/graph/trajectory_builder.h"
+#include "fild/mapping/trajectory_builder.h"
 #include "message_of.h"
 #include "observations.h"
 

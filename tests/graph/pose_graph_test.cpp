@@ -119,4 +119,33 @@ TEST(PoseGraph, PartOfItHasItsEdges)
     EXPECT_THROW(part_of(square(), {FrameId{7}}), std::invalid_argument);
 }
 
+TEST(ConnectedParts, AreHeldTogetherByPriorsToo)
+{
+    auto graph = fild::testing::graph_of(fild::testing::square_truth());
+    graph.odometry.erase(graph.odometry.begin() + 1);
+    ASSERT_EQ(connected_parts(graph).size(), 2U);
+    for (const auto& node : {graph.nodes.front(), graph.nodes.back()})
+    {
+        fild::GraphPrior prior{node.frame, {}, {}, {}};
+        prior.information.setDiagonal(3, 1);
+        graph.priors.push_back(prior);
+    }
+    graph.check();
+    EXPECT_EQ(connected_parts(graph).size(), 1U);
+    EXPECT_EQ(part_of(graph, {graph.nodes.front().frame}).priors.size(), 1U);
+}
+
+TEST(PoseGraph, RefusesBadPriors)
+{
+    auto graph = fild::testing::graph_of(fild::testing::square_truth());
+    graph.priors.push_back({FrameId{0}, {}, {}, {}});
+    EXPECT_THAT(message_of<std::invalid_argument>([&] { graph.check(); }),
+                HasSubstr("prior of node 0: information is not positive definite"));
+    graph.priors.back().information.setDiagonal(3, 1);
+    graph.priors.back().map_from_point.x = std::nan("");
+    EXPECT_THAT(message_of<std::invalid_argument>([&] { graph.check(); }), HasSubstr("not finite"));
+    graph.priors.back() = {FrameId{99}, {}, {}, graph.priors.back().information};
+    EXPECT_THROW(graph.check(), std::invalid_argument);
+}
+
 }  // namespace

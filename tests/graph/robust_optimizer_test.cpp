@@ -205,4 +205,60 @@ TEST(Optimize, RefusesBadArguments)
                 HasSubstr("loop_confidence=1"));
 }
 
+/** What a receiver measures whose antenna is half a metre before and two metres over the robot. */
+fild::GraphPrior prior_at(std::size_t node, const CPose3D& map_from_robot, double sigma)
+{
+    const mrpt::math::TPoint3D antenna(0.5, 0, 2);
+    fild::GraphPrior prior{fild::FrameId{node}, map_from_robot.composePoint(antenna), antenna, {}};
+    prior.information.setDiagonal(3, 1 / (sigma * sigma));
+    return prior;
+}
+
+/** Where the map's axes put the square. */
+std::vector<CPose3D> square_elsewhere(std::size_t laps)
+{
+    auto poses = square_truth(laps);
+    for (auto& pose : poses) pose = CPose3D(100, 50, 3, 0.7, 0, 0) + pose;
+    return poses;
+}
+
+/** The square by its odometry, and where a receiver says that it is. */
+PoseGraph square_with_priors(double sigma, std::size_t laps)
+{
+    auto graph = graph_of(square_truth(laps));
+    const auto truth = square_elsewhere(laps);
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i)
+        graph.priors.push_back(prior_at(i, truth[i], sigma));
+    return graph;
+}
+
+TEST(Optimize, TakesTheMapToWhereThePriorsSay)
+{
+    auto graph = square_with_priors(0.001, 1);
+    for (auto& edge : graph.odometry)  // it turns too little
+        edge.a_from_b = CPose3D(edge.a_from_b.x(), 0, 0, 0.9 * edge.a_from_b.yaw(), 0, 0);
+    const auto result = optimize(graph, {}, {});
+    for (std::size_t i = 0; i < graph.priors.size(); ++i)
+    {
+        const auto& prior = graph.priors[i];
+        const auto antenna = result.map_from_robot[i].composePoint(prior.robot_from_point);
+        EXPECT_LT((antenna - prior.map_from_point).norm(), 0.01) << i;
+        EXPECT_EQ(result.prior_weights[i], 1);
+        EXPECT_NEAR(result.prior_errors[i],
+                    fild::squared_error(prior, result.map_from_robot[i]),
+                    1e-6 + 1e-6 * result.prior_errors[i]);
+    }
+}
+
+TEST(OptimizeRobustly, LetsGoOfPriorsThatTheOthersContradict)
+{
+    constexpr std::size_t kLaps = 4;
+    auto graph = square_with_priors(0.05, kLaps);
+    for (const std::size_t wrong : {2, 7, 8}) graph.priors[wrong].map_from_point.x += 30;
+    const auto result = optimize_robustly(graph, {}, {});
+    for (std::size_t i = 0; i < graph.priors.size(); ++i)
+        EXPECT_EQ(result.prior_weights[i], i == 2 || i == 7 || i == 8 ? 0 : 1) << i;
+    expect_poses(result.map_from_robot, square_elsewhere(kLaps), 0.01);
+}
+
 }  // namespace

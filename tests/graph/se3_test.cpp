@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "se3.h"
+#include "fild/graph/se3.h"
 
 #include "random_poses.h"
 

@@ -3,7 +3,7 @@
 
 #include "fild/core/random.h"
 #include "fild/graph/graph_builder.h"
-#include "fild/graph/trajectory_builder.h"
+#include "fild/mapping/trajectory_builder.h"
 #include "fild/synthetic/odometry.h"
 #include "fild/synthetic/route.h"
 

@@ -79,7 +79,7 @@ TEST(MotionSinceNodeTest, ComesFromActionsToo)
 TEST(MotionSinceNodeTest, RefusesGps)
 {
     fild::TGraphOptions options;
-    options.motion_source = fild::MotionSource::gps;
+    options.motion_sources = "gps";
     EXPECT_THROW(MotionSinceNode{options}, std::invalid_argument);
 }
 

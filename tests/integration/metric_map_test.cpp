@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // rawlog-loop-closure from stereo pairs and depth images to the files of an optimised map.
 #include "drawn_drive.h"
+#include "fild/core/geodetic.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "fild/synthetic/synthetic_options.h"
 #include "fild/synthetic/synthetic_recording.h"
@@ -14,6 +15,7 @@
 #include <mrpt/graphs/CNetworkOfPoses.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationStereoImages.h>
@@ -66,6 +68,8 @@ constexpr double kDrop = 4 / kFocal * kDepth;  // downward
 constexpr int kDisparity = 20;
 constexpr double kBaseline = kDisparity / kFocal * kDepth;
 
+constexpr fild::GeodeticPosition kStart{36.7, -4.5, 50};
+
 enum class Sensor
 {
     stereo,
@@ -117,6 +121,7 @@ struct WallDrive
     double odometry_unit = 1;  ///< metres of what it calls one
     std::size_t frames = 2 * kFramesPerLap;
     bool second_wall = false;  ///< the second lap is somewhere else
+    bool gps = false;  ///< a receiver with RTK, on the way to the north
     std::function<void(mrpt::obs::CObservation&)> change = [](mrpt::obs::CObservation&) {};
 
     Objects objects() const
@@ -144,19 +149,40 @@ struct WallDrive
             seen->sensorLabel = "CAMERA1";
             change(*seen);
             if (odometry) objects.push_back(reading(i, odometry_unit));
+            if (gps) objects.push_back(fix(i));
             objects.push_back(seen);
         }
         return objects;
     }
 
  private:
+    static double way(std::size_t frame)
+    {
+        return kStep * static_cast<double>(frame % kFramesPerLap) +
+               (frame >= kFramesPerLap ? kShift : 0);
+    }
+
+    static mrpt::obs::CObservation::Ptr fix(std::size_t frame)
+    {
+        const auto place = fild::EastNorthUp(kStart).place_of({0, way(frame), 0});
+        mrpt::obs::gnss::Message_NMEA_GGA gga;
+        gga.fields.latitude_degrees = place.latitude_deg;
+        gga.fields.longitude_degrees = place.longitude_deg;
+        gga.fields.altitude_meters = place.height_m;
+        gga.fields.fix_quality = 4;
+        auto gps = mrpt::obs::CObservationGPS::Create();
+        gps->sensorLabel = "GPS";
+        gps->timestamp = mrpt::Clock::fromDouble(static_cast<double>(frame));
+        gps->setMsg(gga);
+        return gps;
+    }
+
     static mrpt::obs::CObservationOdometry::Ptr reading(std::size_t frame, double unit)
     {
         auto odometry = mrpt::obs::CObservationOdometry::Create();
         odometry->sensorLabel = "ODOMETRY";
         odometry->timestamp = mrpt::Clock::fromDouble(static_cast<double>(frame));
-        const double x = kStep * static_cast<double>(frame % kFramesPerLap);
-        odometry->odometry = {(x + (frame >= kFramesPerLap ? kShift : 0)) / unit, 0, 0};
+        odometry->odometry = {way(frame) / unit, 0, 0};
         return odometry;
     }
 };
@@ -246,10 +272,37 @@ TEST_F(MetricMap, IsMadeFromStereoPairsAndFromDepthImages)
             EXPECT_EQ(std::stod(loop.at("weight")), 1);
             EXPECT_EQ(loop.at("depth_source"), sensor == Sensor::stereo ? "stereo" : "depth_image");
         }
-        EXPECT_EQ(map()["trajectory_source"], "CObservationOdometry 'ODOMETRY'");
+        EXPECT_EQ(map()["trajectory_source"], "CObservationOdometry 'ODOMETRY', images");
         EXPECT_EQ(map()["loop_edges"], kFramesPerLap);
         EXPECT_EQ(map()["nodes"], 2 * kFramesPerLap);
     }
+}
+
+TEST_F(MetricMap, IsGeoReferencedByGps)
+{
+    WallDrive drive;
+    drive.gps = true;
+    write(drive);
+    run_well();
+    EXPECT_EQ(map()["trajectory"], "combined");
+    EXPECT_NEAR(map()["origin"]["latitude_deg"], kStart.latitude_deg, 1e-6);
+    EXPECT_NEAR(map()["origin"]["longitude_deg"], kStart.longitude_deg, 1e-6);
+    ASSERT_EQ(map()["sources"].size(), 3U);
+    EXPECT_EQ(map()["sources"][2]["kind"], "gps");
+    EXPECT_EQ(map()["sources"][2]["factors"], 2 * kFramesPerLap);
+    EXPECT_EQ(map()["sources"][2]["left_out"], "");
+    EXPECT_EQ(notes(), "[]");
+    double seconds = 0;
+    double x = 0;
+    double y = 0;
+    std::istringstream(lines_of(result("trajectory_optimized.tum")).at(5)) >> seconds >> x >> y;
+    EXPECT_NEAR(x, 0, 0.1);
+    EXPECT_NEAR(y, 5 * kStep, 0.1) << "to the north";
+    EXPECT_THAT(result("track.kml"),
+                AllOf(HasSubstr("before the loops"), HasSubstr("-4.5000"), HasSubstr("36.7000")));
+    run_well("--set graph.motion_sources=odometry,vision");
+    EXPECT_FALSE(has("track.kml")) << "nothing of the run before";
+    EXPECT_TRUE(map()["origin"].is_null());
 }
 
 TEST_F(MetricMap, SaysThatTheCamerasPoseIsWrong)
@@ -297,7 +350,9 @@ TEST_F(MetricMap, SaysThatDepthsAndOdometryContradictEachOther)
     drive.odometry_unit = 1e9;  // frozen
     write(drive);
     run_well();
-    EXPECT_THAT(notes(), HasSubstr("'ODOMETRY' tells no movement"));
+    EXPECT_THAT(
+        notes(),
+        HasSubstr("'ODOMETRY' has no part in the map: it says that the robot hardly moves"));
     EXPECT_THAT(notes(), HasSubstr("times as long"));
 }
 

@@ -59,7 +59,7 @@ void darken(FrameDescription& frame)
 TEST(MapBuilder, ClosesTheLoopsOfADriftingOdometry)
 {
     const auto map = map_of(Recorded{});
-    EXPECT_EQ(map.trajectory_source, TrajectorySource::recorded);
+    EXPECT_EQ(map.trajectory_source, TrajectorySource::combined);
     ASSERT_GE(map.loops.size(), kFramesPerLap - 1);
     EXPECT_EQ(withheld(map, Withheld::none), map.loops.size());
     EXPECT_LT(median_edge_error(map), 0.05);

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct Recorded
     bool depth = true;
     bool odometry = true;
     bool calibration = true;
+    std::function<void(MapBuilder&, std::size_t frame)> feed_more{};  ///< before each frame
 };
 
 /** The two laps. */
@@ -188,6 +190,7 @@ Map map_of(
     for (std::size_t i = 0; i < frames; ++i)
     {
         if (recorded.odometry) builder.feed(drifting_odometry(i));
+        if (recorded.feed_more) recorded.feed_more(builder, i);
         auto description = world.describe(i, recorded);
         change(description);
         builder.add_frame(description.frame, description.timestamp);

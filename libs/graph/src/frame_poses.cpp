@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/graph/frame_poses.h"
 
-#include "se3.h"
+#include "fild/graph/se3.h"
 
 #include <optional>
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/graph/graph_options.h"
 
+#include <sstream>
 #include <stdexcept>
 
 namespace fild
 {
 void TGraphOptions::describe(OptionVisitor& visitor)
 {
-    visitor.choice<MotionSource>(
-        "motion_source",
-        motion_source,
-        {{"odometry", MotionSource::odometry}, {"gps", MotionSource::gps}});
+    visitor.text("motion_sources", motion_sources);
     visitor.text("motion_sensor_label", motion_sensor_label);
     visitor.choice<OdometryCovariance>(
         "odometry_covariance",
@@ -23,6 +21,9 @@ void TGraphOptions::describe(OptionVisitor& visitor)
     visitor.real("max_gap_s", max_gap_s, 1e-3, 1e6);
     visitor.real("max_speed_m_per_s", max_speed_m_per_s, 0.1, 1e4);
     visitor.real("gps_sigma_m", gps_sigma_m, 1e-3, 1e3);
+    visitor.real("gps_differential_sigma_m", gps_differential_sigma_m, 1e-3, 1e3);
+    visitor.real("gps_rtk_float_sigma_m", gps_rtk_float_sigma_m, 1e-3, 1e3);
+    visitor.real("gps_rtk_sigma_m", gps_rtk_sigma_m, 1e-3, 1e3);
     visitor.real("gps_heading_baseline_m", gps_heading_baseline_m, 0.1, 1e3);
     visitor.real("keyframe_distance_m", keyframe_distance_m, 0, 1e4);
     visitor.real("keyframe_angle_deg", keyframe_angle_deg, 0, 180);
@@ -44,8 +45,34 @@ void TGraphOptions::describe(OptionVisitor& visitor)
     visitor.flag("simple_map", simple_map);
 }
 
+MotionSources TGraphOptions::sources() const
+{
+    if (motion_sources == "auto") return {};
+    MotionSources sources{false, false, false};
+    std::istringstream words(motion_sources);
+    for (std::string word; std::getline(words, word, ',');)
+    {
+        word.erase(0, word.find_first_not_of(' '));
+        word.erase(word.find_last_not_of(' ') + 1);
+        if (word == "odometry")
+            sources.odometry = true;
+        else if (word == "vision")
+            sources.vision = true;
+        else if (word == "gps")
+            sources.gps = true;
+        else
+            throw std::invalid_argument("motion_sources=" + motion_sources + ": '" + word +
+                                        "' is not one of odometry, vision, gps; or auto alone");
+    }
+    return sources;
+}
+
 void TGraphOptions::check_between_fields() const
 {
+    const auto used = sources();
+    if (!used.odometry && !used.vision && !used.gps)
+        throw std::invalid_argument(
+            "motion_sources names no source: auto, or some of odometry, vision, gps");
     if (keyframe_distance_m == 0 && keyframe_angle_deg == 0 && keyframe_seconds == 0)
         throw std::invalid_argument(
             "keyframe_distance_m, keyframe_angle_deg and keyframe_seconds are all 0: there would "

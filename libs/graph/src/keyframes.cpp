@@ -2,7 +2,7 @@
 #include "fild/graph/keyframes.h"
 
 #include "fild/core/angle.h"
-#include "se3.h"
+#include "fild/graph/se3.h"
 
 #include <cmath>
 

@@ -66,6 +66,8 @@ GraphSolution to_solution(OptimizedPoses poses, const std::vector<LoopFate>& fat
         solution.loops.push_back(
             {is_outlier ? LoopFate::outlier : fates[i], weight, poses.loop_errors[i]});
     }
+    for (std::size_t i = 0; i < poses.prior_weights.size(); ++i)
+        solution.priors.push_back({poses.prior_weights[i], poses.prior_errors[i]});
     return solution;
 }
 }  // namespace
@@ -103,7 +105,8 @@ GraphSolution solve_graph(const PoseGraph& graph,
     }
     auto solution = to_solution(std::move(poses), fates);
     solution.is_largest_set = is_largest_set;
-    if (graph.odometry.empty() && graph.loops.empty()) solution.optimizations = 0;
+    if (graph.odometry.empty() && graph.loops.empty() && graph.priors.empty())
+        solution.optimizations = 0;
     solution.parts = connected_parts(solved_graph(graph, solution));
     return solution;
 }
@@ -111,9 +114,10 @@ GraphSolution solve_graph(const PoseGraph& graph,
 PoseGraph solved_graph(const PoseGraph& graph, const GraphSolution& solution)
 {
     if (solution.map_from_robot.size() != graph.nodes.size() ||
-        solution.loops.size() != graph.loops.size())
+        solution.loops.size() != graph.loops.size() ||
+        solution.priors.size() != graph.priors.size())
         throw std::invalid_argument("solved_graph: the solution is of another graph");
-    PoseGraph solved{graph.nodes, graph.odometry, {}};
+    PoseGraph solved{graph.nodes, graph.odometry, {}, {}};
     for (std::size_t i = 0; i < graph.nodes.size(); ++i)
         solved.nodes[i].map_from_robot = solution.map_from_robot[i];
     for (std::size_t i = 0; i < graph.loops.size(); ++i)
@@ -121,6 +125,12 @@ PoseGraph solved_graph(const PoseGraph& graph, const GraphSolution& solution)
         if (!(solution.loops[i].weight > 0)) continue;
         solved.loops.push_back(graph.loops[i]);
         solved.loops.back().information *= solution.loops[i].weight;
+    }
+    for (std::size_t i = 0; i < graph.priors.size(); ++i)
+    {
+        if (!(solution.priors[i].weight > 0)) continue;
+        solved.priors.push_back(graph.priors[i]);
+        solved.priors.back().information *= solution.priors[i].weight;
     }
     return solved;
 }

@@ -3,6 +3,7 @@
 #include "fild/graph/pairwise_consistency.h"
 
 #include "fild/graph/max_clique.h"
+#include "fild/graph/uncertain_motion.h"
 #include "information.h"
 
 #include <mrpt/math/distributions.h>
@@ -19,33 +20,6 @@ namespace fild
 {
 namespace
 {
-/** A motion and its covariance in the tangent at its end. */
-struct UncertainMotion
-{
-    Rigid motion;
-    Matrix6 covariance;
-};
-
-UncertainMotion inverse(const UncertainMotion& a_from_b)
-{
-    const Matrix6 to_a = adjoint(a_from_b.motion);
-    return {a_from_b.motion.inverse(), to_a * a_from_b.covariance * to_a.transpose()};
-}
-
-UncertainMotion operator*(const UncertainMotion& a_from_b, const UncertainMotion& b_from_c)
-{
-    const Matrix6 to_c = adjoint(b_from_c.motion.inverse());
-    return {a_from_b.motion * b_from_c.motion,
-            to_c * a_from_b.covariance * to_c.transpose() + b_from_c.covariance};
-}
-
-/** Squared Mahalanobis distance from the identity. */
-double squared_error(const UncertainMotion& cycle)
-{
-    const Vector6 error = tangent_of(cycle.motion);
-    return error.dot(cycle.covariance.ldlt().solve(error));
-}
-
 UncertainMotion motion_of(const GraphEdge& edge)
 {
     const Matrix6 information = information_in_tangent(edge.a_from_b, edge.information, "edge");
@@ -132,6 +106,17 @@ double cycle_error(const OdometryChain& odometry, const Loop& i, const Loop& j)
                          j.candidate_from_query * odometry.motion(j.query, i.query));
 }
 
+bool are_connected(const OdometryChain& odometry, const Loop& i, const Loop& j)
+{
+    return odometry.segment(i.candidate) == odometry.segment(j.candidate) &&
+           odometry.segment(i.query) == odometry.segment(j.query);
+}
+
+double error_against_odometry(const OdometryChain& odometry, const Loop& loop)
+{
+    return squared_error(loop.candidate_from_query * odometry.motion(loop.query, loop.candidate));
+}
+
 double limit_of(double probability, const std::string& name)
 {
     if (!(probability > 0 && probability <= 1))
@@ -174,10 +159,32 @@ double cycle_error(const PoseGraph& graph, std::size_t loop_i, std::size_t loop_
     const auto loops = loops_of(graph);
     const auto& i = loops.at(loop_i);
     const auto& j = loops.at(loop_j);
-    if (odometry.segment(i.candidate) != odometry.segment(j.candidate) ||
-        odometry.segment(i.query) != odometry.segment(j.query))
+    if (!are_connected(odometry, i, j))
         throw std::invalid_argument("cycle_error: no odometry connects the loops' ends");
     return cycle_error(odometry, i, j);
+}
+
+std::vector<double> errors_of_neighbours(const PoseGraph& graph)
+{
+    const OdometryChain odometry(graph);
+    auto loops = loops_of(graph);
+    std::stable_sort(
+        loops.begin(), loops.end(), [](const Loop& a, const Loop& b) { return a.query < b.query; });
+    std::vector<double> errors;
+    for (std::size_t i = 1; i < loops.size(); ++i)
+        if (are_connected(odometry, loops[i - 1], loops[i]))
+            errors.push_back(cycle_error(odometry, loops[i - 1], loops[i]));
+    return errors;
+}
+
+std::vector<double> errors_against_odometry(const PoseGraph& graph)
+{
+    const OdometryChain odometry(graph);
+    std::vector<double> errors;
+    for (const auto& loop : loops_of(graph))
+        if (odometry.segment(loop.candidate) == odometry.segment(loop.query))
+            errors.push_back(error_against_odometry(odometry, loop));
+    return errors;
 }
 
 LoopAgreement find_consistent_loops(const PoseGraph& graph,
@@ -196,8 +203,7 @@ LoopAgreement find_consistent_loops(const PoseGraph& graph,
         const auto& loop = loops[i];
         const std::pair segments(odometry.segment(loop.candidate), odometry.segment(loop.query));
         if (segments.first == segments.second &&
-            squared_error(loop.candidate_from_query * odometry.motion(loop.query, loop.candidate)) >
-                with_odometry)
+            error_against_odometry(odometry, loop) > with_odometry)
             agreement.against_odometry.push_back(i);
         else
             groups[segments].push_back(i);

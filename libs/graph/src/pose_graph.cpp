@@ -3,7 +3,9 @@
 
 #include "information.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -26,6 +28,21 @@ void check_edge(const PoseGraph& graph, const GraphEdge& edge, const std::string
     const auto what = "information of the " + name;
     require_information(edge.a_from_b, edge.information, what);
     information_in_tangent(edge.a_from_b, edge.information, what);
+}
+
+void check_prior(const PoseGraph& graph, const GraphPrior& prior)
+{
+    const auto name = "prior of node " + to_text(prior.frame);
+    graph.index_of(prior.frame);
+    double sum = 0;
+    for (const auto& point : {prior.map_from_point, prior.robot_from_point})
+        sum += point.x + point.y + point.z;
+    const Eigen::Matrix3d information = prior.information.asEigen();
+    if (!std::isfinite(sum) || !information.allFinite())
+        throw std::invalid_argument(name + ": numbers that are not finite");
+    if (!information.isApprox(information.transpose()) ||
+        Eigen::LLT<Eigen::Matrix3d>(information).info() != Eigen::Success)
+        throw std::invalid_argument(name + ": information is not positive definite");
 }
 
 /** The root of a node's part, in a forest of parents (union-find). */
@@ -66,19 +83,22 @@ void PoseGraph::check() const
                                         to_text(edge.b) + ": not from a node to the next one");
     }
     for (const auto& edge : loops) check_edge(*this, edge, "loop");
+    for (const auto& prior : priors) check_prior(*this, prior);
 }
 
 std::vector<std::vector<FrameId>> connected_parts(const PoseGraph& graph)
 {
     std::vector<std::size_t> parents(graph.nodes.size());
     std::iota(parents.begin(), parents.end(), std::size_t{0});
+    const auto join = [&](FrameId one, FrameId other)
+    {
+        const auto a = root_of(parents, graph.index_of(one));
+        const auto b = root_of(parents, graph.index_of(other));
+        parents[std::max(a, b)] = std::min(a, b);
+    };
     for (const auto* edges : {&graph.odometry, &graph.loops})
-        for (const auto& edge : *edges)
-        {
-            const auto a = root_of(parents, graph.index_of(edge.a));
-            const auto b = root_of(parents, graph.index_of(edge.b));
-            parents[std::max(a, b)] = std::min(a, b);
-        }
+        for (const auto& edge : *edges) join(edge.a, edge.b);
+    for (const auto& prior : graph.priors) join(graph.priors.front().frame, prior.frame);
     std::vector<std::vector<FrameId>> by_root(graph.nodes.size());
     for (std::size_t i = 0; i < graph.nodes.size(); ++i)
         by_root[root_of(parents, i)].push_back(graph.nodes[i].frame);
@@ -103,6 +123,10 @@ PoseGraph part_of(const PoseGraph& graph, const std::vector<FrameId>& frames)
     std::copy_if(
         graph.odometry.begin(), graph.odometry.end(), std::back_inserter(part.odometry), is_inside);
     std::copy_if(graph.loops.begin(), graph.loops.end(), std::back_inserter(part.loops), is_inside);
+    std::copy_if(graph.priors.begin(),
+                 graph.priors.end(),
+                 std::back_inserter(part.priors),
+                 [&](const GraphPrior& prior) { return wanted.count(prior.frame) > 0; });
     return part;
 }
 

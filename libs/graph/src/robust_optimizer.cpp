@@ -84,6 +84,45 @@ class EdgeError
     const double* weight_;
 };
 
+/** Error of a prior against a pose, whitened. */
+class PriorError
+{
+ public:
+    /** \param weight  read at each evaluation; must outlive this. */
+    PriorError(const GraphPrior& prior, const double* weight)
+        : map_from_point_(to_vector(prior.map_from_point)),
+          robot_from_point_(to_vector(prior.robot_from_point)),
+          square_root_(Eigen::LLT<Eigen::Matrix3d>(prior.information.asEigen()).matrixU()),
+          weight_(weight)
+    {
+    }
+
+    template <class T>
+    bool operator()(const T* translation, const T* rotation, T* residual) const
+    {
+        using Vector3 = Eigen::Matrix<T, 3, 1>;
+        const Eigen::Map<const Vector3> robot(translation);
+        const Eigen::Quaternion<T> map_from_robot =
+            Eigen::Map<const Eigen::Quaternion<T>>(rotation);
+        const Vector3 point = map_from_robot * robot_from_point_.template cast<T>() + robot;
+        Eigen::Map<Vector3> whitened(residual);
+        whitened = (std::sqrt(*weight_) * square_root_).template cast<T>() *
+                   Vector3(point - map_from_point_.template cast<T>());
+        return true;
+    }
+
+ private:
+    static Eigen::Vector3d to_vector(const mrpt::math::TPoint3D& point)
+    {
+        return {point.x, point.y, point.z};
+    }
+
+    Eigen::Vector3d map_from_point_;
+    Eigen::Vector3d robot_from_point_;
+    Eigen::Matrix3d square_root_;
+    const double* weight_;
+};
+
 const double kFullWeight = 1;
 
 /** Ends Ceres' work when the caller cancels; Ceres itself lets no exception through. */
@@ -116,27 +155,40 @@ class CancellationCallback : public ceres::IterationCallback
     std::exception_ptr thrown_;
 };
 
-/** A graph in Ceres' terms, whose loop weights can be changed between solutions. */
+/** Weights, or errors, of the loops and the priors of a graph. */
+struct Doubted
+{
+    std::vector<double> loops;
+    std::vector<double> priors;
+};
+
+/** A graph in Ceres' terms, whose weights can be changed between solutions. */
 class LeastSquares
 {
  public:
     LeastSquares(const PoseGraph& graph,
                  const std::vector<bool>& loops_used,
                  const CheckCancelled& check_cancelled)
-        : graph_(graph), check_cancelled_(check_cancelled), weights_(graph.loops.size(), 0)
+        : graph_(graph),
+          check_cancelled_(check_cancelled),
+          weights_{std::vector<double>(graph.loops.size(), 0),
+                   std::vector<double>(graph.priors.size(), 1)}
     {
         states_.reserve(graph.nodes.size());
         for (const auto& node : graph.nodes) states_.push_back(to_state(node.map_from_robot));
         for (const auto& edge : graph.odometry) add(edge, &kFullWeight);
         for (std::size_t i = 0; i < graph.loops.size(); ++i)
-            if (loops_used[i]) add(graph.loops[i], &weights_[i]);
+            if (loops_used[i]) add(graph.loops[i], &weights_.loops[i]);
+        for (std::size_t i = 0; i < graph.priors.size(); ++i)
+            add(graph.priors[i], &weights_.priors[i]);
         fix_first_of_each_part(loops_used);
     }
 
     /** Goes on from where the last solution ended. */
-    void solve(const std::vector<double>& loop_weights, int max_iterations)
+    void solve(const Doubted& weights, int max_iterations)
     {
-        std::copy(loop_weights.begin(), loop_weights.end(), weights_.begin());
+        std::copy(weights.loops.begin(), weights.loops.end(), weights_.loops.begin());
+        std::copy(weights.priors.begin(), weights.priors.end(), weights_.priors.begin());
         ++solutions_;
         ceres::Solver::Options options;
         options.max_num_iterations = max_iterations;
@@ -166,20 +218,34 @@ class LeastSquares
         for (const auto& state : states_)
             result.map_from_robot.push_back(
                 to_pose({state.rotation.toRotationMatrix(), state.translation}));
-        result.loop_weights.assign(weights_.begin(), weights_.end());
-        result.loop_errors = loop_errors();
+        const auto errors = this->errors();
+        result.loop_weights = weights_.loops;
+        result.loop_errors = errors.loops;
+        result.prior_weights = weights_.priors;
+        result.prior_errors = errors.priors;
         result.optimizations = solutions_;
         return result;
     }
 
-    std::vector<double> loop_errors() const
+    Doubted errors() const
     {
-        std::vector<double> errors;
-        errors.reserve(graph_.loops.size());
+        Doubted errors;
+        errors.loops.reserve(graph_.loops.size());
         for (const auto& edge : graph_.loops)
-            errors.push_back(squared_error_of(
+            errors.loops.push_back(squared_error_of(
                 edge, states_[graph_.index_of(edge.a)], states_[graph_.index_of(edge.b)]));
+        errors.priors.reserve(graph_.priors.size());
+        for (const auto& prior : graph_.priors)
+            errors.priors.push_back(squared_error_of(prior, states_[graph_.index_of(prior.frame)]));
         return errors;
+    }
+
+    static double squared_error_of(const GraphPrior& prior, const NodeState& state)
+    {
+        Eigen::Vector3d residual;
+        PriorError(prior, &kFullWeight)(
+            state.translation.data(), state.rotation.coeffs().data(), residual.data());
+        return residual.squaredNorm();
     }
 
     static double squared_error_of(const GraphEdge& edge, const NodeState& a, const NodeState& b)
@@ -206,21 +272,40 @@ class LeastSquares
                                   a.rotation.coeffs().data(),
                                   b.translation.data(),
                                   b.rotation.coeffs().data());
-        for (auto* state : {&a, &b})
-            if (!problem_.HasManifold(state->rotation.coeffs().data()))
-                problem_.SetManifold(state->rotation.coeffs().data(),
-                                     new ceres::EigenQuaternionManifold);
+        for (auto* state : {&a, &b}) keep_unit_length(*state);
+    }
+
+    void add(const GraphPrior& prior, const double* weight)
+    {
+        auto& state = states_[graph_.index_of(prior.frame)];
+        auto cost = std::make_unique<ceres::AutoDiffCostFunction<PriorError, 3, 3, 4>>(
+            new PriorError(prior, weight));
+        problem_.AddResidualBlock(cost.release(),  // the problem's from here on
+                                  nullptr,
+                                  state.translation.data(),
+                                  state.rotation.coeffs().data());
+        keep_unit_length(state);
+    }
+
+    void keep_unit_length(NodeState& state)
+    {
+        if (!problem_.HasManifold(state.rotation.coeffs().data()))
+            problem_.SetManifold(state.rotation.coeffs().data(),
+                                 new ceres::EigenQuaternionManifold);
     }
 
     void fix_first_of_each_part(const std::vector<bool>& loops_used)
     {
-        PoseGraph used{graph_.nodes, graph_.odometry, {}};
+        PoseGraph used{graph_.nodes, graph_.odometry, {}, graph_.priors};
         for (std::size_t i = 0; i < graph_.loops.size(); ++i)
             if (loops_used[i]) used.loops.push_back(graph_.loops[i]);
         for (const auto& part : connected_parts(used))
         {
             auto& state = states_[graph_.index_of(part.front())];
-            if (part.size() == 1) continue;  // no edge, unknown to the problem
+            const bool has_priors =
+                !graph_.priors.empty() &&
+                std::binary_search(part.begin(), part.end(), graph_.priors.front().frame);
+            if (has_priors || part.size() == 1) continue;  // or no edge, unknown to the problem
             problem_.SetParameterBlockConstant(state.translation.data());
             problem_.SetParameterBlockConstant(state.rotation.coeffs().data());
         }
@@ -228,7 +313,7 @@ class LeastSquares
 
     const PoseGraph& graph_;
     const CheckCancelled& check_cancelled_;
-    std::vector<double> weights_;  ///< never resized: the residuals point at them
+    Doubted weights_;  ///< never resized: the residuals point at them
     std::vector<NodeState> states_;  ///< never resized, likewise
     ceres::Problem problem_;
     int solutions_ = 0;
@@ -252,13 +337,42 @@ bool are_binary(const std::vector<double>& weights)
                        [](double weight) { return weight < kNoWeight || weight > 1 - kNoWeight; });
 }
 
-/** The largest error of a loop that may count. */
-double largest_error(const std::vector<double>& errors, const std::vector<bool>& candidates)
+/** Errors up to which loops and priors are fully trusted. */
+struct ErrorLimits
+{
+    explicit ErrorLimits(double confidence)
+        : loop(mrpt::math::chi2inv(confidence, 6)), prior(mrpt::math::chi2inv(confidence, 3))
+    {
+    }
+
+    double loop;
+    double prior;
+};
+
+/** The largest error of a loop that may count, or a prior, as a multiple of its limit. */
+double largest_excess(const Doubted& errors,
+                      const std::vector<bool>& candidates,
+                      const ErrorLimits& limits)
 {
     double largest = 0;
-    for (std::size_t i = 0; i < errors.size(); ++i)
-        if (candidates[i]) largest = std::max(largest, errors[i]);
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (candidates[i]) largest = std::max(largest, errors.loops[i] / limits.loop);
+    for (const double error : errors.priors) largest = std::max(largest, error / limits.prior);
     return largest;
+}
+
+/** The weights at a stage mu. */
+Doubted weights_at(double mu,
+                   const Doubted& errors,
+                   const std::vector<bool>& candidates,
+                   const ErrorLimits& limits)
+{
+    Doubted weights;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        weights.loops.push_back(candidates[i] ? tls_weight(errors.loops[i], limits.loop, mu) : 0);
+    for (const double error : errors.priors)
+        weights.priors.push_back(tls_weight(error, limits.prior, mu));
+    return weights;
 }
 
 void check(const OptimizationLimits& limits)
@@ -285,6 +399,11 @@ double squared_error(const GraphEdge& edge,
     return LeastSquares::squared_error_of(edge, to_state(map_from_a), to_state(map_from_b));
 }
 
+double squared_error(const GraphPrior& prior, const mrpt::poses::CPose3D& map_from_robot)
+{
+    return LeastSquares::squared_error_of(prior, to_state(map_from_robot));
+}
+
 OptimizedPoses optimize(const PoseGraph& graph,
                         const std::vector<double>& loop_weights,
                         const OptimizationLimits& limits,
@@ -303,7 +422,8 @@ OptimizedPoses optimize(const PoseGraph& graph,
         used.push_back(weight > 0);
     }
     LeastSquares problem(graph, used, check_cancelled);
-    problem.solve(loop_weights, limits.max_iterations);
+    problem.solve({loop_weights, std::vector<double>(graph.priors.size(), 1)},
+                  limits.max_iterations);
     return problem.result();
 }
 
@@ -317,21 +437,21 @@ OptimizedPoses optimize_robustly(const PoseGraph& graph,
     check_count(candidates.size(), graph);
     constexpr double kGrowth = 1.4;  // of mu, as published
     constexpr int kMaxStages = 100;
-    const double limit = mrpt::math::chi2inv(limits.loop_confidence, 6);
+    const ErrorLimits trusted(limits.loop_confidence);
     LeastSquares problem(graph, candidates, check_cancelled);
-    std::vector<double> weights(candidates.begin(), candidates.end());
-    problem.solve(weights, limits.max_iterations);
-    auto errors = problem.loop_errors();
-    const double largest = largest_error(errors, candidates);
-    if (largest <= limit) return problem.result();
-    double mu = limit / (2 * largest - limit);
+    problem.solve(
+        {{candidates.begin(), candidates.end()}, std::vector<double>(graph.priors.size(), 1)},
+        limits.max_iterations);
+    auto errors = problem.errors();
+    const double largest = largest_excess(errors, candidates, trusted);
+    if (largest <= 1) return problem.result();
+    double mu = 1 / (2 * largest - 1);
     for (int stage = 0; stage < kMaxStages; ++stage, mu *= kGrowth)
     {
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            weights[i] = candidates[i] ? tls_weight(errors[i], limit, mu) : 0;
+        const auto weights = weights_at(mu, errors, candidates, trusted);
         problem.solve(weights, limits.max_iterations);
-        errors = problem.loop_errors();
-        if (stage > 0 && mu > 1 && are_binary(weights)) break;
+        errors = problem.errors();
+        if (stage > 0 && mu > 1 && are_binary(weights.loops) && are_binary(weights.priors)) break;
     }
     return problem.result();
 }

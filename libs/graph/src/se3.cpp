@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "se3.h"
+#include "fild/graph/se3.h"
 
 #include <mrpt/math/CMatrixDynamic.h>
 
@@ -50,6 +50,16 @@ Vector6 tangent_of(const Rigid& a_from_b)
     Vector6 tangent;
     tangent << a_from_b.translation, turn.angle() * turn.axis();
     return tangent;
+}
+
+Rigid rigid_of(const Vector6& tangent)
+{
+    const Eigen::Vector3d turn = tangent.tail<3>();
+    const double angle = turn.norm();
+    Rigid rigid;
+    rigid.translation = tangent.head<3>();
+    if (angle > 0) rigid.rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+    return rigid;
 }
 
 Matrix6 adjoint(const Rigid& a_from_b)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/graph/trajectory.h"
 
+#include "fild/graph/trajectory_frame.h"
+#include "fild/graph/uncertain_motion.h"
 #include "information.h"
-#include "trajectory_frame.h"
-#include "wheel_model.h"
+#include "least_covariance.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -15,6 +16,14 @@ namespace fild
 {
 namespace
 {
+/** A covariance along other axes, for position and rotation vector alike. */
+Matrix6 turned(const Matrix6& covariance, const Eigen::Matrix3d& rotation)
+{
+    Matrix6 turn = Matrix6::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation;
+    return turn * covariance * turn.transpose();
+}
+
 /** later - earlier, whichever of the two comes first. */
 Matrix6 growth_between(const Matrix6& a, const Matrix6& b)
 {
@@ -65,6 +74,11 @@ Trajectory::Trajectory(std::vector<Frame> frames, TrajectoryReport report)
             {frame.id, frame.timestamp, to_pose(frame.at.map_from_robot), frame.at.segment});
 }
 
+Trajectory::Trajectory(const Trajectory& motion, TrajectoryReport report) : Trajectory(motion)
+{
+    report_ = std::move(report);
+}
+
 Trajectory::Trajectory(const Trajectory&) = default;
 Trajectory::Trajectory(Trajectory&&) noexcept = default;
 Trajectory::~Trajectory() = default;
@@ -95,12 +109,33 @@ std::optional<RelativeMotion> Trajectory::motion(FrameId a, FrameId b) const
     const Rigid a_from_b = at_a->at.map_from_robot.inverse() * at_b->at.map_from_robot;
     const Matrix6 covariance = covariance_between(at_a->at, at_b->at) +
                                least_covariance(a_from_b, at_b->at.planar_attitude);
-    RelativeMotion motion;
-    motion.a_from_b = to_pose(a_from_b);
-    const Matrix6 to_parameters = tangent_by_parameters(motion.a_from_b).inverse();
-    const Matrix6 in_parameters = to_parameters * covariance * to_parameters.transpose();
-    motion.covariance = to_mrpt((in_parameters + in_parameters.transpose()) / 2);
-    return motion;
+    return to_relative({a_from_b, covariance});
+}
+
+Trajectory with_poses(const Trajectory& trajectory, const std::vector<TrajectoryPose>& poses)
+{
+    auto frames = trajectory.frames();
+    const auto& before = trajectory.frames();
+    if (poses.size() != frames.size())
+        throw std::invalid_argument("with_poses: " + std::to_string(poses.size()) + " poses for " +
+                                    std::to_string(frames.size()) + " frames");
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+        auto& at = frames[i].at;
+        at.map_from_robot = to_rigid(poses[i].map_from_robot);
+        const Rigid to_new = at.map_from_robot * before[i].at.map_from_robot.inverse();
+        if (at.absolute) at.absolute = turned(*at.absolute, to_new.rotation);
+        if (i == 0 || before[i].at.segment != before[i - 1].at.segment)
+        {
+            at.accumulated.setZero();
+            continue;
+        }
+        const Matrix6 to_map = adjoint(to_new);
+        at.accumulated =
+            frames[i - 1].at.accumulated +
+            to_map * (before[i].at.accumulated - before[i - 1].at.accumulated) * to_map.transpose();
+    }
+    return {std::move(frames), trajectory.report()};
 }
 
 Trajectory trajectory_from_motions(const std::vector<MeasuredMotion>& motions)

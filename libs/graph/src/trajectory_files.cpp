@@ -2,8 +2,8 @@
 #include "fild/graph/trajectory_files.h"
 
 #include "fild/core/whole_file.h"
+#include "fild/graph/se3.h"
 #include "number_text.h"
-#include "se3.h"
 
 #include <array>
 #include <charconv>

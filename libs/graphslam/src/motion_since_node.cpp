@@ -11,10 +11,10 @@ namespace fild
 MotionSinceNode::MotionSinceNode(const TGraphOptions& options)
     : options_(options), builder_(std::make_unique<TrajectoryBuilder>(options))
 {
-    if (options.motion_source == MotionSource::gps)
+    if (!options.sources().odometry)
         throw std::invalid_argument(
-            "[graph] motion_source=gps: nodes of an engine are too near to each other to tell a "
-            "heading from GPS; use odometry, or rawlog-loop-closure");
+            "[graph] motion_sources=" + options.motion_sources +
+            ": an engine takes its motion from odometry; rawlog-loop-closure takes the others");
 }
 
 void MotionSinceNode::feed(const mrpt::obs::CActionCollection& actions)

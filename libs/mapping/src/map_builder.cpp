@@ -2,11 +2,15 @@
 #include "fild/mapping/map_builder.h"
 
 #include "fild/graph/graph_builder.h"
+#include "fild/graph/pairwise_consistency.h"
 #include "fild/graph/robust_optimizer.h"
 #include "fild/mapping/motion_scale.h"
 #include "fild/mapping/pair_poses.h"
 #include "fild/mapping/visual_odometry.h"
+#include "motion_estimate.h"
+#include "noise_scale.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -79,7 +83,58 @@ double chi2_of(const PoseGraph& graph)
     for (const auto* edges : {&graph.odometry, &graph.loops})
         for (const auto& edge : *edges)
             sum += squared_error(edge, *pose_of.at(edge.a), *pose_of.at(edge.b));
+    for (const auto& prior : graph.priors) sum += squared_error(prior, *pose_of.at(prior.frame));
     return sum;
+}
+
+TrajectorySource source_of(const MotionEstimate& estimate)
+{
+    if (estimate.way.poses().empty()) return TrajectorySource::none;
+    bool has_vision = false;
+    bool has_others = false;
+    for (const auto& source : estimate.sources)
+        if (source.left_out.empty()) (source.kind == "vision" ? has_vision : has_others) = true;
+    if (!has_vision) return TrajectorySource::recorded;
+    return has_others ? TrajectorySource::combined : TrajectorySource::vision;
+}
+
+std::set<FrameId> frames_of(const PoseGraph& graph)
+{
+    std::set<FrameId> frames;
+    for (const auto& node : graph.nodes) frames.insert(node.frame);
+    return frames;
+}
+
+/** Makes the loops, and then the motion between keyframes, as uncertain as the recording shows that
+ *  they are. \param edges  the loops of the graph. */
+void scale_noise(PoseGraph& graph, Map& map, const std::vector<LoopEdge*>& edges)
+{
+    map.loop_noise_scale = noise_scale_of(errors_of_neighbours(graph), 6);
+    const double loop_variance = map.loop_noise_scale * map.loop_noise_scale;
+    for (auto& loop : graph.loops) loop.information *= 1 / loop_variance;
+    for (auto* edge : edges) edge->motion->covariance *= loop_variance;
+    map.motion_noise_scale = noise_scale_of(errors_against_odometry(graph), 6);
+    for (auto& edge : graph.odometry)
+        edge.information *= 1 / (map.motion_noise_scale * map.motion_noise_scale);
+}
+
+/** \param priors  of each used receiver, as the graph has them. */
+void count_priors(const std::vector<std::vector<GraphPrior>>& priors,
+                  const GraphSolution& solution,
+                  std::vector<MotionSourceUse>& sources)
+{
+    auto result = solution.priors.begin();
+    auto receiver = priors.begin();
+    for (auto& source : sources)
+    {
+        if (source.kind != "gps" || !source.left_out.empty()) continue;
+        source.factors = receiver->size();
+        const auto end = result + static_cast<std::ptrdiff_t>(receiver->size());
+        source.without_weight = static_cast<std::size_t>(
+            std::count_if(result, end, [](const PriorResult& prior) { return prior.weight == 0; }));
+        result = end;
+        ++receiver;
+    }
 }
 }  // namespace
 
@@ -93,18 +148,20 @@ const char* to_word(TrajectorySource source)
             return "recorded";
         case TrajectorySource::vision:
             return "vision";
+        case TrajectorySource::combined:
+            return "combined";
     }
     return "";
 }
 
 MapBuilder::MapBuilder(const TDetectorOptions& detector_options, const TGraphOptions& graph_options)
-    : detector_options_(detector_options), graph_options_(graph_options), trajectory_(graph_options)
+    : detector_options_(detector_options), graph_options_(graph_options), recorder_(graph_options)
 {
 }
 
 void MapBuilder::add_frame(FrameId frame, double timestamp)
 {
-    trajectory_.add_frame(frame, timestamp);
+    recorder_.add_frame(frame, timestamp);
     end_ = FrameId{to_index(frame) + 1};
 }
 
@@ -119,41 +176,49 @@ void MapBuilder::add(const DetectorOutcome& outcome)
 Map MapBuilder::build(const PlaceMap& places, StageTimes& times, const GoOn& go_on) const
 {
     go_on();
-    auto map = map_on_trajectory(places, times, go_on);
-    if (detector_options_.relative_pose.enabled &&
-        map.trajectory_source == TrajectorySource::recorded)
-        map.agreement = compare_motions(places, map.trajectory, detector_options_, times, go_on);
+    const auto wanted = graph_options_.sources();
+    const auto odometry = wanted.odometry ? recorder_.odometry() : Trajectory({}, {});
+    const auto gps = wanted.gps ? recorder_.gps() : GpsRecord();
+    const auto vision = wanted.vision ? image_motion(places, times, go_on) : Trajectory({}, {});
+    const auto estimate = [&]
+    {
+        const StageTimer timer(times, "trajectory");
+        return estimate_motion(odometry, vision, gps, graph_options_, go_on);
+    }();
+    Map map{estimate.way};
+    map.trajectory_source = source_of(estimate);
+    map.sources = estimate.sources;
+    map.unused_sources = odometry.report().other_sources;
+    if (!odometry.report().source.empty()) map.recorded.push_back(odometry.report());
+    for (const auto& track : gps.tracks) map.recorded.push_back(track.report);
+    map.origin = estimate.origin;
+    const auto& compared =
+        odometry.poses().empty() && vision.poses().empty() ? map.trajectory : odometry;
+    if (detector_options_.relative_pose.enabled && !compared.poses().empty())
+    {
+        map.compared_source = compared.report().source;
+        map.agreement = compare_motions(places, compared, detector_options_, times, go_on);
+    }
     map.loops.reserve(loops_.size());
     for (const auto& loop : loops_) map.loops.push_back(edge_of(loop, places));
     if (detector_options_.relative_pose.enabled) scale_by_motion(map, places, times, go_on);
     withhold_repetitions(map.loops, places);
     go_on();
     const StageTimer timer(times, "graph");
-    solve(map, go_on);
+    solve(map, estimate, go_on);
     return map;
 }
 
-Map MapBuilder::map_on_trajectory(const PlaceMap& places,
-                                  StageTimes& times,
-                                  const GoOn& go_on) const
+Trajectory MapBuilder::image_motion(const PlaceMap& places,
+                                    StageTimes& times,
+                                    const GoOn& go_on) const
 {
-    std::vector<std::string> unused;
-    TrajectoryReport report;
-    {
-        const StageTimer timer(times, "trajectory");
-        auto recorded = trajectory_.build();
-        report = recorded.report();
-        unused = report.other_sources;
-        if (!recorded.poses().empty())
-            return {std::move(recorded), TrajectorySource::recorded, std::move(unused), report};
-        if (!report.source.empty()) unused.insert(unused.begin(), report.source);
-    }
     const auto motions = visual_odometry(
         places, end_, detector_options_, graph_options_.max_speed_m_per_s, times, go_on);
-    return {trajectory_from_motions(motions),
-            motions.empty() ? TrajectorySource::none : TrajectorySource::vision,
-            std::move(unused),
-            std::move(report)};
+    const auto trajectory = trajectory_from_motions(motions);
+    auto report = trajectory.report();
+    report.source = motions.empty() ? "" : "images";
+    return {trajectory, std::move(report)};
 }
 
 LoopEdge MapBuilder::edge_of(const Loop& loop, const PlaceMap& places) const
@@ -174,7 +239,7 @@ void MapBuilder::scale_by_motion(Map& map,
     std::vector<std::size_t> without_depth;
     for (std::size_t i = 0; i < map.loops.size(); ++i)
         if (map.loops[i].withheld == Withheld::no_depth) without_depth.push_back(i);
-    if (map.trajectory_source != TrajectorySource::recorded)
+    if (map.trajectory.poses().empty())
     {
         for (const auto i : without_depth) map.loops[i].withheld = Withheld::no_odometry;
         return;
@@ -216,7 +281,7 @@ void MapBuilder::scale_by_motion(Map& map,
                        });
 }
 
-void MapBuilder::solve(Map& map, const GoOn& go_on) const
+void MapBuilder::solve(Map& map, const MotionEstimate& estimate, const GoOn& go_on) const
 {
     std::vector<LoopMeasurement> measured;
     std::vector<LoopEdge*> edges;
@@ -232,8 +297,14 @@ void MapBuilder::solve(Map& map, const GoOn& go_on) const
         edges.push_back(&loop);
     }
     if (map.trajectory.poses().empty()) return;
-    const auto built = build_pose_graph(map.trajectory, measured, graph_options_);
+    auto built = build_pose_graph(estimate.motion, measured, graph_options_);
+    for (auto& node : built.graph.nodes)
+        node.map_from_robot = map.trajectory.pose(node.frame)->map_from_robot;
+    scale_noise(built.graph, map, edges);
+    const auto priors = estimate.priors(frames_of(built.graph), graph_options_.max_gap_s);
+    built.graph.priors = joined(priors);
     const auto solution = solve_graph(built.graph, graph_options_, go_on);
+    count_priors(priors, solution, map.sources);
     for (std::size_t i = 0; i < edges.size(); ++i) edges[i]->result = solution.loops[i];
     map.graph = solved_graph(built.graph, solution);
     map.parts = solution.parts;

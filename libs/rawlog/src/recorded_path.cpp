@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/rawlog/recorded_path.h"
 
-#include "fild/core/angle.h"
+#include "fild/core/geodetic.h"
+#include "fild/rawlog/motion_readings.h"
 #include "fild/rawlog/rawlog_reader.h"
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/math/CQuaternion.h>
 #include <mrpt/math/TPoint3D.h>
-#include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationRobotPose.h>
-#include <mrpt/obs/gnss_messages_ascii_nmea.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,62 +24,20 @@ namespace
 using mrpt::math::TPoint3D;
 using Source = RecordedPath::Source;
 
-/** Latitude and longitude, radians; height over the ellipsoid, metres. */
-struct GeodeticFix
-{
-    double latitude = 0;
-    double longitude = 0;
-    double height = 0;
-};
-
-/** Earth-centred coordinates (WGS 84). */
-TPoint3D earth_point(const GeodeticFix& fix)
-{
-    constexpr double kEquatorialRadius = 6378137;  // m
-    constexpr double kEccentricity2 = 6.69437999014e-3;
-    const double sine = std::sin(fix.latitude);
-    const double prime_vertical = kEquatorialRadius / std::sqrt(1 - kEccentricity2 * sine * sine);
-    const double from_axis = (prime_vertical + fix.height) * std::cos(fix.latitude);
-    return {from_axis * std::cos(fix.longitude),
-            from_axis * std::sin(fix.longitude),
-            (prime_vertical * (1 - kEccentricity2) + fix.height) * sine};
-}
-
 /** Turns fixes into metres east and north of the first one. */
 class LocalPlane
 {
  public:
-    TPoint3D east_north(const GeodeticFix& fix)
+    TPoint3D east_north(const GeodeticPosition& fix)
     {
-        if (!origin_) origin_ = fix;
-        const auto from_origin = earth_point(fix) - earth_point(*origin_);
-        const double sine = std::sin(origin_->longitude);
-        const double cosine = std::cos(origin_->longitude);
-        const double outwards = cosine * from_origin.x + sine * from_origin.y;
-        return {
-            cosine * from_origin.y - sine * from_origin.x,
-            std::cos(origin_->latitude) * from_origin.z - std::sin(origin_->latitude) * outwards,
-            0};
+        if (!plane_) plane_.emplace(fix);
+        const auto position = plane_->position_of(fix);
+        return {position[0], position[1], 0};
     }
 
  private:
-    std::optional<GeodeticFix> origin_;
+    std::optional<EastNorthUp> plane_;
 };
-
-std::optional<GeodeticFix> fix_of(const mrpt::obs::CObservationGPS& gps)
-{
-    using mrpt::obs::gnss::Message_NMEA_GGA;
-    if (!gps.hasMsgClass<Message_NMEA_GGA>()) return std::nullopt;
-    const auto& fields = gps.getMsgByClass<Message_NMEA_GGA>().fields;
-    constexpr int kNoFix = 0;
-    const bool is_finite = std::isfinite(fields.latitude_degrees) &&
-                           std::isfinite(fields.longitude_degrees) &&
-                           std::isfinite(fields.altitude_meters);
-    if (fields.fix_quality == kNoFix || !is_finite) return std::nullopt;
-    return GeodeticFix{fields.latitude_degrees * kRadiansPerDegree,
-                       fields.longitude_degrees * kRadiansPerDegree,
-                       fields.altitude_meters};
-}
 
 /** Nothing where the pose is not known: NaN. */
 std::optional<StampedPose> robot_pose(const mrpt::obs::CObservationRobotPose& observation,
@@ -107,11 +64,9 @@ class PathCollector
         if (robot != nullptr)
             if (const auto pose = robot_pose(*robot, seconds))
                 path(Source::robot_pose, observation).push_back(*pose);
-        const auto* gps = dynamic_cast<const mrpt::obs::CObservationGPS*>(&observation);
-        if (gps == nullptr) return;
-        if (const auto fix = fix_of(*gps))
+        if (const auto fix = gps_fix_of(observation))
         {
-            const auto place = planes_[observation.sensorLabel].east_north(*fix);
+            const auto place = planes_[observation.sensorLabel].east_north(fix->place);
             path(Source::gps, observation).push_back({seconds, place.x, place.y, 0});
         }
     }

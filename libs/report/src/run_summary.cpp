@@ -65,11 +65,38 @@ Json counts_json(const std::map<std::string, std::size_t>& counts)
     return result;
 }
 
+Json sources_json(const std::vector<MotionSourceSummary>& sources)
+{
+    Json all = Json::array();
+    for (const auto& source : sources)
+        all.push_back({{"kind", source.kind},
+                       {"name", source.name},
+                       {"factors", source.factors},
+                       {"without_weight", source.without_weight},
+                       {"contradictions", source.contradictions},
+                       {"noise_scale", rounded(source.noise_scale)},
+                       {"left_out", source.left_out}});
+    return all;
+}
+
+/** Null for a map that is not geo-referenced. */
+Json origin_json(const std::optional<MapOrigin>& origin)
+{
+    if (!origin) return nullptr;
+    return {{"latitude_deg", origin->latitude_deg},
+            {"longitude_deg", origin->longitude_deg},
+            {"height_m", origin->height_m}};
+}
+
 Json map_json(const MapSummary& map)
 {
     return {{"trajectory", map.trajectory},
             {"trajectory_source", map.trajectory_source},
             {"other_sources", map.other_sources},
+            {"sources", sources_json(map.sources)},
+            {"loop_noise_scale", rounded(map.loop_noise_scale)},
+            {"motion_noise_scale", rounded(map.motion_noise_scale)},
+            {"origin", origin_json(map.origin)},
             {"frames_without_pose", map.frames_without_pose},
             {"resets", map.resets},
             {"gaps", map.gaps},

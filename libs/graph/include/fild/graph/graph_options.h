@@ -7,11 +7,12 @@
 
 namespace fild
 {
-/** What the input trajectory is made from. */
-enum class MotionSource
+/** Which sources of the robot's motion are used. Value type. */
+struct MotionSources
 {
-    odometry,  ///< CObservationOdometry, CObservationRobotPose, or the actions of a rawlog
-    gps  ///< CObservationGPS with GGA messages; heading from the motion
+    bool odometry = true;  ///< CObservationOdometry, CObservationRobotPose, or a rawlog's actions
+    bool vision = true;  ///< stereo pairs and depth images
+    bool gps = true;  ///< CObservationGPS with GGA messages
 };
 
 /** How certain the odometry is said to be. */
@@ -38,8 +39,9 @@ enum class TrajectoryFormat
 /** Section `[graph]`: from odometry and loop closures to an optimised map. */
 struct TGraphOptions : Options
 {
-    MotionSource motion_source = MotionSource::odometry;
-    /** Label of the sensor to take the motion from. Empty: the first that can give it. */
+    /** `auto`, all that there are, or some of odometry, vision and gps, separated by commas. */
+    std::string motion_sources = "auto";
+    /** Label of the odometry to use. Empty: the first. */
     std::string motion_sensor_label;
 
     /** The model unless the recording's own are known to be good: those of actions mostly come from
@@ -62,8 +64,12 @@ struct TGraphOptions : Options
     /** Two readings further apart than this speed allows are a reset of the odometry, GPS fixes
      *  that are so are left out, and so are motions that the images tell. */
     double max_speed_m_per_s = 60;
-    /** GPS: standard deviation of a horizontal position at HDOP 1, metres. */
+    /** GPS: standard deviation of a horizontal position at HDOP 1, metres, by the quality that its
+     *  GGA message tells. Heights are twice as uncertain. */
     double gps_sigma_m = 2;
+    double gps_differential_sigma_m = 0.8;
+    double gps_rtk_float_sigma_m = 0.3;
+    double gps_rtk_sigma_m = 0.03;  ///< fixed
     /** GPS: the heading is that of a movement of at least so many metres, of half as many at the
      *  ends of the drive. */
     double gps_heading_baseline_m = 10;
@@ -92,6 +98,9 @@ struct TGraphOptions : Options
     TrajectoryFormat trajectory_format = TrajectoryFormat::tum;
     /** Write the keyframes with their observations. */
     bool simple_map = true;
+
+    /** What motion_sources says. \throw std::invalid_argument naming the word that is not one. */
+    MotionSources sources() const;
 
  protected:
     void describe(OptionVisitor& visitor) override;

@@ -29,11 +29,19 @@ struct LoopResult
     double squared_error = 0;  ///< Mahalanobis, against the optimised poses; chi2 with 6 degrees
 };
 
+/** A prior's part in the solution. Value type. */
+struct PriorResult
+{
+    double weight = 0;  ///< in [0, 1]
+    double squared_error = 0;  ///< Mahalanobis, against the optimised poses; chi2 with 3 degrees
+};
+
 /** An optimised graph. Value type. */
 struct GraphSolution
 {
     std::vector<mrpt::poses::CPose3D> map_from_robot;  ///< of each node
     std::vector<LoopResult> loops;  ///< of each loop of the graph
+    std::vector<PriorResult> priors;  ///< of each prior of the graph
     /** As connected_parts() of the graph with the loops that were used: more than one, and where
      * the others lie to the first is only guessed. */
     std::vector<std::vector<FrameId>> parts;
@@ -52,8 +60,8 @@ GraphSolution solve_graph(const PoseGraph& graph,
                           const TGraphOptions& options,
                           const CheckCancelled& check_cancelled = never_cancelled);
 
-/** The graph as solved: nodes at their optimised poses, loops of weight 0 left out, the information
- *  of the others times their weight. What poses.graph and poses.g2o are written from.
+/** The graph as solved: nodes at their optimised poses, loops and priors of weight 0 left out, the
+ *  information of the others times their weight. poses.graph and poses.g2o are written from it.
  *  \throw std::invalid_argument when the solution is not of this graph. */
 PoseGraph solved_graph(const PoseGraph& graph, const GraphSolution& solution);
 

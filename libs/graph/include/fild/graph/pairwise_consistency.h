@@ -33,6 +33,14 @@ struct LoopAgreement
  *  candidates and queries. */
 double cycle_error(const PoseGraph& graph, std::size_t loop_i, std::size_t loop_j);
 
+/** cycle_error() of each loop with the one whose query comes next, where the odometry connects
+ *  them: the two tell nearly the same, so that this shows the noise of loops. */
+std::vector<double> errors_of_neighbours(const PoseGraph& graph);
+
+/** Squared Mahalanobis distance from the identity of each loop's cycle with the odometry between its
+ *  own ends, where it connects them; chi2 with 6 degrees of freedom. */
+std::vector<double> errors_against_odometry(const PoseGraph& graph);
+
 /** Pairwise consistency maximisation: the largest set of loops that agree two by two.
  *  Mangelson et al., "Pairwise consistent measurement set maximization for robust multi-robot map
  *  merging", ICRA 2018.

@@ -56,6 +56,8 @@ class Trajectory
  public:
     struct Frame;
     Trajectory(std::vector<Frame> frames, TrajectoryReport report);
+    /** The same motion, with another report. */
+    Trajectory(const Trajectory& motion, TrajectoryReport report);
     Trajectory(const Trajectory&);
     Trajectory(Trajectory&&) noexcept;
     Trajectory& operator=(const Trajectory&) = delete;
@@ -63,6 +65,8 @@ class Trajectory
 
     /** The frames that have a pose, in increasing id. */
     const std::vector<TrajectoryPose>& poses() const { return poses_; }
+    /** The same with their covariances, see trajectory_frame.h. */
+    const std::vector<Frame>& frames() const { return frames_; }
     const TrajectoryReport& report() const { return report_; }
 
     /** Nothing for a frame that has no pose. */
@@ -80,6 +84,11 @@ class Trajectory
     std::vector<TrajectoryPose> poses_;
     TrajectoryReport report_;
 };
+
+/** The same frames at other poses, in their order; the covariances of the motions between frames
+ *  that follow each other stay as they are.
+ *  \throw std::invalid_argument when there are not as many poses as frames. */
+Trajectory with_poses(const Trajectory& trajectory, const std::vector<TrajectoryPose>& poses);
 
 /** A motion that was measured between two frames, such as by vision. Value type. */
 struct MeasuredMotion

@@ -3,7 +3,7 @@
 
 #include "fild/graph/graph_options.h"
 #include "fild/graph/trajectory.h"
-#include "fild/graph/trajectory_builder.h"
+#include "fild/mapping/trajectory_builder.h"
 
 #include <cstddef>
 #include <memory>
@@ -24,7 +24,7 @@ namespace fild
 class MotionSinceNode
 {
  public:
-    /** \throw std::invalid_argument on bad options, and with MotionSource::gps. */
+    /** \throw std::invalid_argument on bad options, and when they leave out odometry. */
     explicit MotionSinceNode(const TGraphOptions& options);
 
     /** To be called for every entry of a rawlog, in its order. */

@@ -3,7 +3,7 @@
 
 #include "fild/graph/graph_options.h"
 #include "fild/graph/trajectory.h"
-#include "fild/graph/trajectory_builder.h"
+#include "fild/mapping/trajectory_builder.h"
 #include "fild/stream/loop_closure_stream.h"
 
 #include <cstdint>

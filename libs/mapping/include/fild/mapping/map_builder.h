@@ -1,30 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/geodetic.h"
 #include "fild/core/stage_times.h"
 #include "fild/detector/detector_options.h"
 #include "fild/detector/detector_outcome.h"
 #include "fild/graph/frame_poses.h"
 #include "fild/graph/graph_options.h"
 #include "fild/graph/loop_selection.h"
-#include "fild/graph/trajectory_builder.h"
 #include "fild/mapping/loop_edge.h"
 #include "fild/mapping/motion_agreement.h"
+#include "fild/mapping/motion_recorder.h"
+#include "fild/mapping/motion_source_use.h"
 #include "fild/mapping/pair_poses.h"
 #include "fild/places/place_map.h"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace fild
 {
+struct MotionEstimate;
+
 /** Where a map's input trajectory comes from. */
 enum class TrajectorySource
 {
     none,  ///< the recording has no odometry, and the images no depth
     recorded,  ///< odometry, actions, robot poses or GPS
-    vision  ///< stereo pairs or depth images, see visual_odometry()
+    vision,  ///< stereo pairs or depth images, see visual_odometry()
+    combined  ///< both
 };
 
 /** The enumerator's name. */
@@ -35,8 +41,14 @@ struct Map
 {
     Trajectory trajectory;  ///< as it was before the loops
     TrajectorySource trajectory_source = TrajectorySource::none;
-    std::vector<std::string> unused_sources{};  ///< of motion, that the recording has too
-    TrajectoryReport recorded{};  ///< of the recording's motion, used or not
+    std::vector<MotionSourceUse> sources{};  ///< of motion, that the recording has
+    std::vector<std::string> unused_sources{};  ///< odometries beside the one that is used
+    /** Of the odometry and the GPS receivers, used or not. */
+    std::vector<TrajectoryReport> recorded{};
+    std::optional<GeodeticPosition> origin{};  ///< of a map that lies east, north and up of it
+    std::string compared_source{};  ///< that `agreement` is about
+    double loop_noise_scale = 1;  ///< that the covariances of `loops` were found too small by
+    double motion_noise_scale = 1;  ///< likewise of the motion between keyframes
     MotionAgreement agreement{};  ///< of the images with the recorded motion, where that is used
     /** Nodes at their optimised poses, loops with a weight of more than 0; see solved_graph(). */
     PoseGraph graph{};
@@ -53,10 +65,11 @@ struct Map
 
 /** Gathers what a rawlog tells beside its images, and the detector's answers; then builds the map.
  *
- *  Where the recording has no odometry, stereo pairs and depth images give the motion. A single
- *  camera gets its scale from the odometry: frames of loops that have no depth of their own are
- *  triangulated against frames nearby. Deterministic, with any number of threads. Not thread-safe:
- *  one caller at a time. */
+ *  The motion is that of all sources of TGraphOptions::sources() that the recording has: odometry
+ *  and the motion by stereo pairs or depth images are joined, each with the weight of its
+ *  covariance, and GPS receivers say where keyframes are. A single camera gets its scale from the
+ *  motion: frames of loops that have no depth of their own are triangulated against frames nearby.
+ *  Deterministic, with any number of threads. Not thread-safe: one caller at a time. */
 class MapBuilder
 {
  public:
@@ -64,8 +77,8 @@ class MapBuilder
     MapBuilder(const TDetectorOptions& detector_options, const TGraphOptions& graph_options);
 
     /** To be called for every entry of the rawlog, in its order, before it is given to a stream. */
-    void feed(const mrpt::obs::CObservation& observation) { trajectory_.feed(observation); }
-    void feed(const mrpt::obs::CActionCollection& actions) { trajectory_.feed(actions); }
+    void feed(const mrpt::obs::CObservation& observation) { recorder_.feed(observation); }
+    void feed(const mrpt::obs::CActionCollection& actions) { recorder_.feed(actions); }
 
     /** A camera frame, after its observation was fed. */
     void add_frame(FrameId frame, double timestamp);
@@ -91,17 +104,17 @@ class MapBuilder
         std::optional<RelativePose> pose;
     };
 
-    Map map_on_trajectory(const PlaceMap& places, StageTimes& times, const GoOn& go_on) const;
+    Trajectory image_motion(const PlaceMap& places, StageTimes& times, const GoOn& go_on) const;
     LoopEdge edge_of(const Loop& loop, const PlaceMap& places) const;
     void scale_by_motion(Map& map,
                          const PlaceMap& places,
                          StageTimes& times,
                          const GoOn& go_on) const;
-    void solve(Map& map, const GoOn& go_on) const;
+    void solve(Map& map, const MotionEstimate& estimate, const GoOn& go_on) const;
 
     TDetectorOptions detector_options_;
     TGraphOptions graph_options_;
-    TrajectoryBuilder trajectory_;
+    MotionRecorder recorder_;
     std::vector<Loop> loops_;
     FrameId end_{};  ///< the frame after the last one
 };

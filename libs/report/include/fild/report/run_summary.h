@@ -13,12 +13,37 @@
 
 namespace fild
 {
+/** What summary.json says of a source of the robot's motion. Value type. */
+struct MotionSourceSummary
+{
+    std::string kind;  ///< odometry, vision or gps
+    std::string name;
+    std::size_t factors = 0;  ///< motions, or positions of keyframes
+    std::size_t without_weight = 0;  ///< positions that the rest of the graph contradicts
+    std::size_t contradictions = 0;  ///< motions that odometry and images tell differently
+    double noise_scale = 1;  ///< of the standard deviations
+    std::string left_out{};  ///< the reason; empty for a source with a part in the map
+};
+
+/** Where the origin of a map is. Value type. */
+struct MapOrigin
+{
+    double latitude_deg = 0;
+    double longitude_deg = 0;
+    double height_m = 0;
+};
+
 /** What summary.json says of a run's map. Value type. */
 struct MapSummary
 {
-    std::string trajectory;  ///< none, recorded or vision
-    std::string trajectory_source;  ///< "CObservationOdometry 'ODOMETRY'"; empty: none
+    std::string trajectory;  ///< none, recorded, vision or combined
+    std::string trajectory_source;  ///< names of the sources; empty: none
     std::vector<std::string> other_sources;  ///< of motion, not used
+    std::vector<MotionSourceSummary> sources{};
+    double loop_noise_scale = 1;  ///< of the standard deviations of loops
+    double motion_noise_scale = 1;  ///< of those of the motion between keyframes
+    /** Of a map in metres east, north and up of it. */
+    std::optional<MapOrigin> origin{};
     std::size_t frames_without_pose = 0;
     std::size_t resets = 0;  ///< of the odometry, or breaks of what the images tell
     std::size_t gaps = 0;  ///< times without a reading

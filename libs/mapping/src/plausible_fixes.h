@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fild/graph/graph_options.h"
-#include "motion_readings.h"
+#include "fild/rawlog/motion_readings.h"
 
 #include <vector>
 
@@ -14,6 +14,13 @@ struct TimedFix
     double seconds = 0;
     GpsFix fix;
 };
+
+/** Heights are this many times as uncertain as horizontal positions, as is usual. */
+constexpr double kVerticalOfHorizontal = 2;
+
+/** Standard deviation of the horizontal position along each axis, metres: that of TGraphOptions for
+ *  the fix's quality, times its dilution of precision. */
+double horizontal_sigma(const GpsFix& fix, const TGraphOptions& options);
 
 /** Which fixes a robot can have been at that is not faster than TGraphOptions::max_speed_m_per_s,
  *  give or take five standard deviations of each.

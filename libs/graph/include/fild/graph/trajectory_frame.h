@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/graph/se3.h"
 #include "fild/graph/trajectory.h"
-#include "se3.h"
 
 namespace fild
 {

@@ -17,17 +17,15 @@ class CObservation;
 
 namespace fild
 {
-/** Gathers the robot's motion from the entries of a rawlog, and gives its pose at camera frames.
+/** Gathers the robot's motion by its odometry from the entries of a rawlog, and gives its pose at
+ *  camera frames.
  *
  *  The first source that can serve is used throughout: CObservationOdometry,
- *  CObservationRobotPose, or actions (CActionRobotMovement2D and 3D); with MotionSource::gps
- *  CObservationGPS. The pose between two readings is interpolated; before the first one and after
- *  the last one the robot moves on as it did, for as long as one reading is from the next.
+ *  CObservationRobotPose, or actions (CActionRobotMovement2D and 3D). The pose between two readings
+ *  is interpolated; before the first one and after the last one the robot moves on as it did, for
+ *  as long as one reading is from the next.
  *  * Actions: they lead to the observations after them, so the pose holds at the first of these
  *    that has a time stamp (the actions' own lies half way in MRPT's recordings).
- *  * GPS: GGA fixes become metres east, north and up of the first; x is east. The heading is that
- *    of the movement over TGraphOptions::gps_heading_baseline_m, so a robot that drives backwards
- *    looks the wrong way; pitch and roll are 0.
  *  * Covariances of CObservationRobotPose are absolute. Along directions in which they grow from
  *    one frame to the next, the growth counts (dead reckoning); along others both count, as for
  *    poses measured independently.
@@ -38,7 +36,7 @@ namespace fild
  *    time comes twice, by the order in which all was fed.
  *  * An odometry that is reset, or jumps further than a robot can move
  *    (TGraphOptions::max_speed_m_per_s), begins a new segment at the last pose; so do actions that
- *    lead further. GPS fixes that are too far from the others are left out.
+ *    lead further.
  *
  *  Memory grows with the number of frames and of GPS fixes; of other readings those since the last
  *  frame are kept, and 10,000 before it at the least: frames that come later still have no pose.
@@ -67,8 +65,8 @@ class TrajectoryBuilder
     /** Readings in memory. */
     std::size_t readings_kept() const;
 
-    /** From the first reading to the last one, in constant time. Nothing before the second one,
-     *  when the odometry was reset between them, and with MotionSource::gps. */
+    /** From the first reading to the last one, in constant time. Nothing before the second one, and
+     *  when the odometry was reset between them. */
     std::optional<RelativeMotion> motion_so_far() const;
 
     /** The poses of the frames so far. Costs time in proportion to readings and frames. */

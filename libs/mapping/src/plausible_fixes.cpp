@@ -17,10 +17,10 @@ using Track = std::vector<std::size_t>;
 double least_speed(const TimedFix& from, const TimedFix& to, const TGraphOptions& options)
 {
     constexpr double kDeviations = 5;
-    constexpr double kVertical = 2;  // times as uncertain as horizontal positions
-    const Eigen::Vector3d way = local_position(to.fix, from.fix);
-    const double distance = std::hypot(way.x(), way.y(), way.z() / kVertical);
-    const double slack = kDeviations * options.gps_sigma_m * (from.fix.hdop + to.fix.hdop);
+    const cv::Vec3d way = EastNorthUp(from.fix.place).position_of(to.fix.place);
+    const double distance = std::hypot(way[0], way[1], way[2] / kVerticalOfHorizontal);
+    const double slack =
+        kDeviations * (horizontal_sigma(from.fix, options) + horizontal_sigma(to.fix, options));
     const double elapsed = to.seconds - from.seconds;
     return std::max(0.0, distance - slack) / (elapsed > 0 ? elapsed : options.max_gap_s);
 }
@@ -64,6 +64,22 @@ std::vector<Track> tracks_of(const std::vector<TimedFix>& fixes, const TGraphOpt
     return tracks;
 }
 }  // namespace
+
+double horizontal_sigma(const GpsFix& fix, const TGraphOptions& options)
+{
+    switch (fix.quality)
+    {
+        case FixQuality::rtk_fixed:
+            return options.gps_rtk_sigma_m * fix.hdop;
+        case FixQuality::rtk_float:
+            return options.gps_rtk_float_sigma_m * fix.hdop;
+        case FixQuality::differential:
+            return options.gps_differential_sigma_m * fix.hdop;
+        case FixQuality::single:
+            break;
+    }
+    return options.gps_sigma_m * fix.hdop;
+}
 
 std::vector<bool> plausible_fixes(const std::vector<TimedFix>& fixes, const TGraphOptions& options)
 {

@@ -37,6 +37,9 @@ mrpt::math::CMatrixDouble66 to_mrpt(const Matrix6& matrix);
 /** The error (v, w) of `a_from_b` against the identity: its translation, its rotation vector. */
 Vector6 tangent_of(const Rigid& a_from_b);
 
+/** The motion (translation v, rotation exp(w)) of an error: inverse of tangent_of(). */
+Rigid rigid_of(const Vector6& tangent);
+
 /** Takes an error told in b to the same error told in a: for T = a_from_b,
  *  T * error(d) = error(adjoint(T) d) * T, to first order. */
 Matrix6 adjoint(const Rigid& a_from_b);
