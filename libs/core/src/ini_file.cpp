@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/core/ini_file.h"
 
+#include "did_you_mean.h"
+#include "fild/core/words.h"
 #include "shortened.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -108,9 +111,20 @@ class StrictCopier
     std::set<std::string> seen_;
 };
 
-std::string unknown_section(const std::string& name, const std::string& known)
+std::string unknown_section(const std::string& name, const std::vector<std::string>& known)
 {
-    return "unknown section [" + shortened(name) + "]; known sections:" + known;
+    return "unknown section [" + shortened(name) + "]; " + did_you_mean(name, known) +
+           "known sections: [" + joined(known, "] [") + "]";
+}
+
+mrpt::config::CConfigFileMemory load_lines(std::istream& lines, const std::string& name)
+{
+    mrpt::config::CConfigFileMemory config;
+    StrictCopier copier(name, config);
+    std::string line;
+    for (bool first = true; std::getline(lines, line); first = false)
+        copier.copy(first && starts_with(line, kByteOrderMark) ? line.substr(3) : line);
+    return config;
 }
 }  // namespace
 
@@ -122,12 +136,13 @@ mrpt::config::CConfigFileMemory load_ini_file(const std::string& path)
             "cannot read the configuration file " + path +
             "; the shipped ones are in config-ini of the sources, installed in "
             "share/mrpt-fild/config-ini");
-    mrpt::config::CConfigFileMemory config;
-    StrictCopier copier(path, config);
-    std::string line;
-    for (bool first = true; std::getline(file, line); first = false)
-        copier.copy(first && starts_with(line, kByteOrderMark) ? line.substr(3) : line);
-    return config;
+    return load_lines(file, path);
+}
+
+mrpt::config::CConfigFileMemory load_ini_text(std::string_view text, const std::string& name)
+{
+    std::istringstream lines{std::string(text)};
+    return load_lines(lines, name);
 }
 
 void apply_overrides(mrpt::config::CConfigFileMemory& config,
@@ -154,9 +169,9 @@ void load_sections(const mrpt::config::CConfigFileBase& config,
                    const std::vector<std::pair<std::string, Options*>>& sections,
                    const std::vector<std::string>& passed_over)
 {
-    std::string known;
-    for (const auto& [name, options] : sections) known.append(" [").append(name).append("]");
-    for (const auto& name : passed_over) known.append(" [").append(name).append("]");
+    std::vector<std::string> known;
+    for (const auto& section : sections) known.push_back(section.first);
+    known.insert(known.end(), passed_over.begin(), passed_over.end());
     std::vector<std::string> present;
     config.getAllSections(present);
     for (const auto& name : present)
