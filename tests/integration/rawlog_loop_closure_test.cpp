@@ -177,7 +177,9 @@ TEST_F(RawlogLoopClosure, ExitsWithTwoOnWrongUsage)
         EXPECT_EQ(lines_of(finished.err).size(), 1U) << finished.err;
     }
     EXPECT_THAT(fild::testing::run_command(app() + "--rawlog x").err,
-                AllOf(HasSubstr("--config"), HasSubstr("--output"), Not(HasSubstr("--rawlog"))));
+                AllOf(HasSubstr("missing: --output"),
+                      Not(HasSubstr("--config")),
+                      Not(HasSubstr("--rawlog"))));
     EXPECT_THAT(error("--max-frames 0", 2), HasSubstr("--max-frames"));
 }
 
