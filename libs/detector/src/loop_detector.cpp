@@ -279,8 +279,11 @@ std::vector<Candidate> LoopDetector::promising(const FrameDescription& query,
     {
         const auto shows_the_same_place = [&](const Candidate& other)
         {
-            return instants_between(places_.at(other.frame), places_.at(answer.frame)) <=
-                   static_cast<std::size_t>(candidate_options_.place_frames);
+            const auto& a = places_.at(other.frame);
+            const auto& b = places_.at(answer.frame);
+            return a.sensor_label == b.sensor_label &&
+                   instants_between(a, b) <=
+                       static_cast<std::size_t>(candidate_options_.place_frames);
         };
         if (chosen.size() < most && answer.similarity >= index_options_.min_similarity &&
             std::none_of(chosen.begin(), chosen.end(), shows_the_same_place))
