@@ -7,6 +7,7 @@
 
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -33,10 +34,7 @@ class ThrowingOutput : public TCLAP::StdOutput
  public:
     void failure(TCLAP::CmdLineInterface& command, TCLAP::ArgException& error) override
     {
-        auto about = error.argId();  // "Argument: (--list)", or blank when one is absent
-        for (const std::string around : {"Argument: ", "(", ")", " "})
-            if (const auto at = about.find(around); at != std::string::npos)
-                about.erase(at, around.size());
+        const auto about = name_in(error.argId());
         throw WrongUsage(in_our_words(error.error()) + ": " +
                          (about.empty() ? missing_arguments(command) : about));
     }
@@ -47,7 +45,21 @@ class ThrowingOutput : public TCLAP::StdOutput
         if (error == "One or more required arguments missing!") return "missing";
         if (error == "Couldn't find match for argument") return "unknown argument";
         if (error == "Argument already set!") return "given twice";
-        return error;
+        const std::string unmet = " does not meet constraint: ";
+        const std::string value = "Value ";
+        const auto at = error.find(unmet);
+        if (at == std::string::npos || error.rfind(value, 0) != 0) return error;
+        return error.substr(value.size(), at - value.size()) + " is not one of " +
+               error.substr(at + unmet.size());
+    }
+
+    /** --list of "Argument: (--list)", "Argument: -l (--list)" and "Argument: --list"; -l of
+     *  "Argument: -l"; empty for " ". */
+    static std::string name_in(const std::string& argument)
+    {
+        const auto name = std::min(argument.find("--"), argument.size());
+        const auto first = name < argument.size() ? name : argument.find('-');
+        return first == std::string::npos ? "" : argument.substr(first, argument.find(')') - first);
     }
 
     /** "--images or --list, --output" */

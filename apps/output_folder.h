@@ -22,6 +22,7 @@ class OutputFolder
 
  private:
     std::string path_;
+    std::string lock_file_;
     int lock_ = -1;  ///< descriptor of the lock file
 };
 

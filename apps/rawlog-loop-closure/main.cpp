@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // rawlog-loop-closure: a rawlog in; loop closures, a map, pictures and a summary out.
 #include "app_main.h"
-#include "fild/core/ini_file.h"
+#include "configuration.h"
 #include "loop_closure_run.h"
 #include "truth_arguments.h"
 
 #include <optional>
 #include <string>
+#include <string_view>
+
+namespace fild
+{
+extern const std::string_view kDefaultIni;  ///< config-ini/default.ini
+}
 
 namespace
 {
@@ -49,7 +55,13 @@ std::optional<fild::RunRequest> parse(int argc, char** argv)
     TCLAP::MultiArg<std::string> overrides(
         "s", "set", "Replaces a value of the configuration", false, "section.key=value", command);
     Text output("o", "output", "Folder for the results; made if need be", true, "", "DIR", command);
-    Text config("c", "config", "Configuration; see config-ini/", true, "", "FILE.ini", command);
+    Text config("c",
+                "config",
+                "Configuration; default: that of config-ini/default.ini",
+                false,
+                "",
+                "FILE.ini",
+                command);
     Text rawlog("r", "rawlog", "The recording, plain or gzipped", true, "", "FILE.rawlog", command);
     if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
     if (max_frames.getValue() < 1) throw fild::WrongUsage("--max-frames must be at least 1");
@@ -61,9 +73,12 @@ std::optional<fild::RunRequest> parse(int argc, char** argv)
     if (max_frames.isSet()) request.max_frames = static_cast<std::size_t>(max_frames.getValue());
     request.quiet = quiet.getValue();
     request.truth = truth.options();
-    auto ini = fild::load_ini_file(config.getValue());
-    fild::apply_overrides(ini, overrides.getValue());
-    fild::load_sections(ini, request.options.sections());
+    const auto read = [&]
+    {
+        return config.isSet() ? fild::load_ini_file(config.getValue())
+                              : fild::load_ini_text(fild::kDefaultIni, "default.ini");
+    };
+    request.options = fild::configured<decltype(request.options)>(read, overrides.getValue());
     return request;
 }
 }  // namespace

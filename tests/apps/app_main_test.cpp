@@ -16,6 +16,9 @@ std::string usage_error(std::vector<std::string> words)
     TCLAP::ValueArg<std::string> images("", "images", "A folder", true, "", "DIR");
     TCLAP::ValueArg<std::string> list("", "list", "A file", true, "", "FILE");
     command.xorAdd(images, list);
+    std::vector<std::string> sizes{"tiny", "large"};
+    TCLAP::ValuesConstraint<std::string> any_size(sizes);
+    const TCLAP::ValueArg<std::string> size("s", "size", "", false, "tiny", &any_size, command);
     const TCLAP::ValueArg<std::string> output("", "output", "A file", true, "", "FILE", command);
     words.insert(words.begin(), "app");
     std::vector<char*> arguments;
@@ -35,7 +38,10 @@ TEST(ParseArguments, NamesWhatIsMissingAndItsAlternatives)
 TEST(ParseArguments, NamesWhatItDoesNotKnowAndWhatIsGivenTwice)
 {
     EXPECT_EQ(usage_error({"--bogus"}), "unknown argument: --bogus");
+    EXPECT_EQ(usage_error({"-b"}), "unknown argument: -b");
     EXPECT_EQ(usage_error({"--output", "a", "--output", "b"}), "given twice: --output");
+    EXPECT_EQ(usage_error({"-s", "tiny", "--size", "tiny"}), "given twice: --size");
+    EXPECT_EQ(usage_error({"-s", "tyni"}), "'tyni' is not one of tiny|large: --size");
 }
 
 }  // namespace

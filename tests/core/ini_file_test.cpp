@@ -41,6 +41,15 @@ TEST_F(IniFile, ReadsKeysAndSkipsComments)
     EXPECT_EQ(config.read_string("b", "z", "?"), "");
 }
 
+TEST(IniText, IsReadAsAFileOfItsName)
+{
+    const auto config = fild::load_ini_text("[a]\nx = 1\n", "default.ini");
+    EXPECT_EQ(config.read_string("a", "x", ""), "1");
+    EXPECT_THAT(
+        message_of<std::runtime_error>([] { fild::load_ini_text("[a]\nx\n", "default.ini"); }),
+        HasSubstr("default.ini:2: "));
+}
+
 TEST_F(IniFile, NamesPathAndLineOfWhatItRefuses)
 {
     EXPECT_THAT(error("[a]\nx=1\nx=2\n"), HasSubstr("test.ini:3: key 'x' stands twice in [a]"));
@@ -141,11 +150,12 @@ TEST_F(IniFile, PassesOverTheSectionsOfOtherReaders)
     fild::load_sections(load("[a]\nx=7\n[other]\ny=1\n"), {{"a", &a}}, {"other"});
     EXPECT_EQ(a.x, 7);
     const auto config = load("[othr]\ny=1\n");
-    EXPECT_THAT(message_of<std::runtime_error>(
-                    [&] {
-                        fild::load_sections(config, {{"a", &a}}, {"other"});
-                    }),
-                HasSubstr("unknown section [othr]; known sections: [a] [other]"));
+    EXPECT_THAT(
+        message_of<std::runtime_error>(
+            [&] {
+                fild::load_sections(config, {{"a", &a}}, {"other"});
+            }),
+        HasSubstr("unknown section [othr]; did you mean other? known sections: [a] [other]"));
 }
 
 TEST_F(IniFile, NamesUnknownSections)

@@ -12,6 +12,7 @@ namespace
 using fild::testing::message_of;
 using mrpt::config::CConfigFileMemory;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 enum class Colour
 {
@@ -69,6 +70,18 @@ TEST(Options, ReadsEveryKindOfField)
     EXPECT_TRUE(options.glossy);
     EXPECT_EQ(options.name, "a b");
     EXPECT_EQ(options.colour, Colour::green);
+}
+
+TEST(Options, NamesTheKnownKeyThatIsLikeAnUnknownOne)
+{
+    for (const auto* typed : {"litre", "liters", "ltres", "itlres"})
+        EXPECT_THAT(load_error(typed + std::string("=3\n")),
+                    HasSubstr("'; did you mean litres? known keys: "))
+            << typed;
+    for (const auto* typed : {"x", "milk", "brush_size_in_metres"})
+        EXPECT_THAT(load_error(typed + std::string("=3\n")),
+                    HasSubstr(typed + std::string("'; known keys: ")));
+    EXPECT_THAT(load_error(std::string(1000, 'l') + "=3\n"), Not(HasSubstr("did you mean")));
 }
 
 TEST(Options, NamesAnUnknownKeyAndTheKnownOnes)

@@ -660,7 +660,7 @@ TEST(LoopDetector, CountsTheFramesInARowOfEachCamera)
                 testing::ElementsAre(14, 15, 16, 17, 18, 19, 20, 21, 22, 23));
 }
 
-// The nearest neighbours of the last frame of LEFT are four instants, two frames in a row each.
+// All eight frames that are old enough are nearest neighbours: four of each camera, one after the other.
 TEST(LoopDetector, CountsTheFramesOfAPlaceOfEachCamera)
 {
     auto options = options_with_delay(5);
@@ -670,7 +670,7 @@ TEST(LoopDetector, CountsTheFramesOfAPlaceOfEachCamera)
     fild::LoopDetector detector(options, kDimension, map);
     fild::StageTimes times;
     std::uint64_t frame = 0;
-    std::size_t checked = 0;
+    std::vector<std::uint64_t> checked;
     for (const std::uint64_t place : {10, 11, 20, 21, 22, 23, 24, 25, 10})
         for (const std::string camera : {"LEFT", "RIGHT"})
         {
@@ -681,9 +681,13 @@ TEST(LoopDetector, CountsTheFramesOfAPlaceOfEachCamera)
             const auto outcome = detector.process(std::move(view), times).front();
             if (frame != 17) continue;
             EXPECT_EQ(outcome.verdict.candidate->frame, FrameId{0});
-            for (const auto& candidate : outcome.considered) checked += candidate.checked;
+            EXPECT_TRUE(outcome.verdict.accepted());
+            for (const auto& each : outcome.considered)
+                if (each.checked) checked.push_back(to_index(each.candidate.frame));
         }
-    EXPECT_EQ(checked, 2U);
+    EXPECT_EQ(checked.size(), 4U);
+    for (const auto a : checked)
+        for (const auto b : checked) EXPECT_NE(a + 2, b) << "the next frame of a's camera";
 }
 
 /** LEFT has come back; the descriptor of RIGHT's frame at the same instant leads nowhere. */

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/core/ini_file.h"
 
+#include "did_you_mean.h"
+#include "fild/core/words.h"
 #include "shortened.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -60,9 +63,14 @@ class StrictCopier
                 "cannot read the configuration file " + path +
                 "; the shipped ones are in config-ini of the sources, installed in "
                 "share/mrpt-fild/config-ini");
+        copy_lines(file, path);
+    }
+
+    void copy_lines(std::istream& lines, const std::string& path)
+    {
         path_ = path;
         std::string line;
-        for (bool first = true; std::getline(file, line); first = false)
+        for (bool first = true; std::getline(lines, line); first = false)
             copy(first && starts_with(line, kByteOrderMark) ? line.substr(3) : line);
     }
 
@@ -137,9 +145,10 @@ class StrictCopier
     std::set<std::string> seen_;
 };
 
-std::string unknown_section(const std::string& name, const std::string& known)
+std::string unknown_section(const std::string& name, const std::vector<std::string>& known)
 {
-    return "unknown section [" + shortened(name) + "]; known sections:" + known;
+    return "unknown section [" + shortened(name) + "]; " + did_you_mean(name, known) +
+           "known sections: [" + joined(known, "] [") + "]";
 }
 }  // namespace
 
@@ -147,6 +156,14 @@ mrpt::config::CConfigFileMemory load_ini_file(const std::string& path)
 {
     mrpt::config::CConfigFileMemory config;
     StrictCopier(config).copy_file(path);
+    return config;
+}
+
+mrpt::config::CConfigFileMemory load_ini_text(std::string_view text, const std::string& name)
+{
+    mrpt::config::CConfigFileMemory config;
+    std::istringstream lines{std::string(text)};
+    StrictCopier(config).copy_lines(lines, name);
     return config;
 }
 
@@ -174,9 +191,9 @@ void load_sections(const mrpt::config::CConfigFileBase& config,
                    const std::vector<std::pair<std::string, Options*>>& sections,
                    const std::vector<std::string>& passed_over)
 {
-    std::string known;
-    for (const auto& [name, options] : sections) known.append(" [").append(name).append("]");
-    for (const auto& name : passed_over) known.append(" [").append(name).append("]");
+    std::vector<std::string> known;
+    for (const auto& section : sections) known.push_back(section.first);
+    known.insert(known.end(), passed_over.begin(), passed_over.end());
     std::vector<std::string> present;
     config.getAllSections(present);
     for (const auto& name : present)

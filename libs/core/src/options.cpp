@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/core/options.h"
 
+#include "did_you_mean.h"
 #include "fild/core/parse_number.h"
 #include "shortened.h"
 
@@ -66,8 +67,12 @@ class Loader : public OptionVisitor
         source_.getAllKeys(section_, keys);
         for (const auto& key : keys)
             if (known_.count(key) == 0)
+            {
+                const std::vector<std::string> known(known_.begin(), known_.end());
                 throw std::runtime_error("[" + section_ + "] unknown key '" + shortened(key) +
-                                         "'; known keys: " + join({known_.begin(), known_.end()}));
+                                         "'; " + did_you_mean(key, known) +
+                                         "known keys: " + join(known));
+            }
     }
 
  private:

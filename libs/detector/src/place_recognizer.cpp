@@ -15,9 +15,11 @@ namespace
 {
 constexpr std::size_t kToldAnswers = 10;  // that candidates.csv has, verified or not
 
-std::size_t instants_between(const Place& a, const Place& b)
+/** Seen by one camera, at most `frames` of its frames apart. */
+bool are_neighbours(const Place& a, const Place& b, int frames)
 {
-    return std::max(a.instant, b.instant) - std::min(a.instant, b.instant);
+    const auto between = std::max(a.instant, b.instant) - std::min(a.instant, b.instant);
+    return a.sensor_label == b.sensor_label && between <= static_cast<std::size_t>(frames);
 }
 }  // namespace
 
@@ -213,8 +215,8 @@ std::vector<Candidate> PlaceRecognizer::chosen(const std::vector<Candidate>& ans
     {
         const auto shows_the_same_place = [&](const Candidate& other)
         {
-            return instants_between(places_.at(other.frame), places_.at(answer.frame)) <=
-                   static_cast<std::size_t>(options_.place_frames);
+            return are_neighbours(
+                places_.at(other.frame), places_.at(answer.frame), options_.place_frames);
         };
         if (chosen.size() < most && answer.similarity >= index_options_.min_similarity &&
             std::none_of(chosen.begin(), chosen.end(), shows_the_same_place))

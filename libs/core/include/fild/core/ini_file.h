@@ -6,6 +6,7 @@
 #include <mrpt/config/CConfigFileMemory.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,9 @@ namespace fild
  * `#`, `;` or `//`, and everything after a blank and `//` or `;` in a line; so no value can begin
  * with these. \throw std::runtime_error with path, line number and reason. */
 mrpt::config::CConfigFileMemory load_ini_file(const std::string& path);
+
+/** The same of a text. \param name  of the text, for messages. */
+mrpt::config::CConfigFileMemory load_ini_text(std::string_view text, const std::string& name);
 
 /** Applies command-line overrides, each "section.key=value", as if they stood in the file.
  *  \throw std::invalid_argument naming the first override that is not of that form. */
