@@ -41,8 +41,9 @@ class Motion
     {
     }
 
-    /** Probability of each state after the move from one of them. */
-    std::vector<double> after(std::size_t state, const PlaceEvidence& evidence) const
+    /** Probability of each state after the move from one of them.
+     *  \param is_later  the move comes after the frame that is asked for. */
+    std::vector<double> after(std::size_t state, const PlaceEvidence& evidence, bool is_later) const
     {
         const auto& entrances = evidence.entrances;
         const int step = evidence.has_moved ? options_.place_step : 0;
@@ -73,7 +74,8 @@ class Motion
             for (const auto& [end, was_near] : entrances)
             {
                 const double jumps = share * jump / count(entrances);
-                if (is_look_alike || distance(place, end) <= options_.near_places)
+                const bool is_near = distance(place, end) <= options_.near_places;
+                if (is_look_alike ? !is_later : is_near)
                     to[first + end] += jumps;
                 else
                     enter(to, end, jumps);
@@ -144,7 +146,7 @@ class AllPaths
         const auto& evidence = frames_[frame];
         const auto from =
             frame == 0 ? 0 : number_in_larger_map(state, places(frame - 1), places(frame));
-        const auto to = Motion(options_, places(frame)).after(from, evidence);
+        const auto to = Motion(options_, places(frame)).after(from, evidence, frame > asked_);
         const auto likelihood = in_a_row(evidence.likelihood);
         for (std::size_t next = 0; next < to.size(); ++next)
             if (to[next] > 0)
@@ -216,10 +218,11 @@ struct Judged
     double with_later_frames = 0;
 };
 
-Judged first_of(const std::vector<ComparedPlace>& places)
+Judged first_of(const std::vector<ComparedPlace>& places,
+                const TConsistencyOptions& options = belief_options())
 {
-    PlaceBelief belief(belief_options());
-    PlaceSmoother smoother(belief_options());
+    PlaceBelief belief(options);
+    PlaceSmoother smoother(options);
     for (std::size_t i = 0; i < 100; ++i) belief.add_place(FrameId{i});
     Judged judged;
     for (const auto& place : places)
@@ -250,6 +253,21 @@ TEST(PlaceSmoother, LetsFramesWithoutAnyPlaceSpeakAgainstTheConvincingOneBeforeT
         first_of({{FrameId{10}, {{11, 10}}}, nothing, nothing, nothing, nothing, nothing});
     EXPECT_GT(judged.on_line, 0.99);
     EXPECT_LT(judged.with_later_frames, 0.99);
+}
+
+// As in a corridor that looks alike all along: then comes a clear return, but to another part of it.
+TEST(PlaceSmoother, DoesNotLetAReturnElsewhereVouchForLookAlikes)
+{
+    std::vector<ComparedPlace> places;
+    for (std::uint64_t i = 0; i < 6; ++i) places.push_back({FrameId{60 + i}, {{6, -0.5}}});
+    auto options = belief_options();
+    options.jump_probability = 0.15;
+    options.leave_probability = 0.0003;
+    const auto alone = first_of(places, options);
+    for (std::uint64_t i = 0; i < 6; ++i) places.push_back({FrameId{10 + i}, {{12, 8}}});
+    const auto with_return = first_of(places, options);
+    EXPECT_LT(alone.with_later_frames, 0.5);
+    EXPECT_LT(with_return.with_later_frames, 0.5);
 }
 
 /** A row of look-alikes stays one, however long. */

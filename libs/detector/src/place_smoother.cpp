@@ -37,7 +37,9 @@ PlaceStates PlaceSmoother::oldest() const
     return states;
 }
 
-/** What is to come, as seen from each state before the move: the transpose of PlaceBelief::move(). */
+/** What is to come, as seen from each state before the move: the transpose of PlaceBelief::move(), but for
+ *  jumps from a look-alike. Those may end at the place, too: else a clear return would vouch for all that
+ *  was taken for a place anywhere before it. */
 PlaceStates PlaceSmoother::move_back(const PlaceStates& later, const PlaceEvidence& evidence) const
 {
     const auto& entrances = evidence.entrances;
@@ -50,7 +52,6 @@ PlaceStates PlaceSmoother::move_back(const PlaceStates& later, const PlaceEviden
 
     double from_far = 0;  // what comes of a jump from far away
     double from_new_ground = 0;  // of a return
-    double from_look_alike = 0;  // of a jump to another look-alike
     std::vector<double> gains(later.same.size(), 0);  // of a jump from near over one from far away
     for (const auto& [i, was_near] : entrances)
     {
@@ -58,7 +59,6 @@ PlaceStates PlaceSmoother::move_back(const PlaceStates& later, const PlaceEviden
         gains[i] = share * look_alike_share * (later.same[i] - later.look_alike[i]);
         from_far += share * later.same[i] - gains[i];
         from_new_ground += share * later.same[i] - gains[i] * (1 - was_near);
-        from_look_alike += share * later.look_alike[i];
     }
 
     PlaceStates before = later;
@@ -68,7 +68,7 @@ PlaceStates PlaceSmoother::move_back(const PlaceStates& later, const PlaceEviden
     {
         const double gain = sum_around(sums_of_gains, i, options_.near_places);
         before.same[i] = stay * later.same[i] + leaving + jump * (from_far + gain);
-        before.look_alike[i] = stay * later.look_alike[i] + leaving + jump * from_look_alike;
+        before.look_alike[i] = stay * later.look_alike[i] + leaving + jump * from_far;
     }
     before.same = spread(before.same, step);
     before.look_alike = spread(before.look_alike, step);
