@@ -23,22 +23,22 @@ using fild::testing::write_text;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-constexpr std::size_t kFrames = 45000;
-constexpr std::size_t kLap = 22500;
+constexpr std::size_t kLongRun = 45000;
+constexpr std::size_t kLongLap = 22500;
 
 /** Two laps; of the second, each frame whose number is a multiple of `step` is a loop closure. */
 std::vector<fild::FrameVerdict> two_long_laps(std::size_t step)
 {
     std::vector<fild::FrameVerdict> frames;
-    for (std::size_t i = 0; i < kFrames; ++i)
-        frames.push_back(i < kLap        ? frame_at(i)
-                         : i % step == 0 ? loop_at(i, i - kLap)
-                                         : rejected_at(i, i - kLap, 0.5));
+    for (std::size_t i = 0; i < kLongRun; ++i)
+        frames.push_back(i < kLongLap    ? frame_at(i)
+                         : i % step == 0 ? loop_at(i, i - kLongLap)
+                                         : rejected_at(i, i - kLongLap, 0.5));
     return frames;
 }
 
-nlohmann::json report_of(const RunFolderFiles& run,
-                         const std::optional<fild::ReportTruth>& truth = std::nullopt)
+nlohmann::json page_of(const RunFolderFiles& run,
+                       const std::optional<fild::ReportTruth>& truth = std::nullopt)
 {
     fild::write_html_report(run.path(), {}, truth);
     return data_of_page(run.path("report.html"));
@@ -54,20 +54,20 @@ std::set<std::size_t> frames_in(const nlohmann::json& page)
 TEST(ReportOfALongRun, HoldsEachLoopAndSomeOfTheOtherFrames)
 {
     const RunFolderFiles run(two_long_laps(100));
-    run.add_match_picture(rejected_at(kLap + 1, 1, 0.5));
+    run.add_match_picture(rejected_at(kLongLap + 1, 1, 0.5));
     std::string trajectory;
-    for (std::size_t i = 0; i < kFrames; ++i)
+    for (std::size_t i = 0; i < kLongRun; ++i)
         trajectory +=
             std::to_string(frame_at(i).timestamp) + " " + std::to_string(i) + " 0 0 0 0 0 1\n";
     write_text(run.path("trajectory_input.tum"), trajectory);
-    const auto page = report_of(run);
+    const auto page = page_of(run);
     const auto frames = frames_in(page);
     EXPECT_GE(frames.size(), 20000U);
     EXPECT_LE(frames.size(), 20300U);
     EXPECT_EQ(page["loops"].size(), 225U);
-    for (std::size_t i = kLap; i < kFrames; i += 100)
-        EXPECT_TRUE(frames.count(i) == 1 && frames.count(i - kLap) == 1) << i;
-    for (const auto frame : {std::size_t{0}, std::size_t{1}, kLap + 1, kFrames - 1})
+    for (std::size_t i = kLongLap; i < kLongRun; i += 100)
+        EXPECT_TRUE(frames.count(i) == 1 && frames.count(i - kLongLap) == 1) << i;
+    for (const auto frame : {std::size_t{0}, std::size_t{1}, kLongLap + 1, kLongRun - 1})
         EXPECT_EQ(frames.count(frame), 1U) << frame << ", an end or with a picture";
     std::size_t widest = 0;
     for (auto i = frames.begin(); std::next(i) != frames.end(); ++i)
@@ -83,10 +83,12 @@ TEST(ReportOfALongRun, HoldsEachLoopAndSomeOfTheOtherFrames)
 TEST(ReportOfALongRun, CountsAllFramesAndSaysWhatItHolds)
 {
     const RunFolderFiles run(two_long_laps(100));
-    const auto page = report_of(run);
-    EXPECT_EQ(page["frame_count"], kFrames);
-    EXPECT_EQ(page["verdicts"],
-              nlohmann::json({{"accepted", 225}, {"too_early", kLap}, {"too_few_inliers", kLap - 225}}));
+    const auto page = page_of(run);
+    EXPECT_EQ(page["frame_count"], kLongRun);
+    EXPECT_EQ(
+        page["verdicts"],
+        nlohmann::json(
+            {{"accepted", 225}, {"too_early", kLongLap}, {"too_few_inliers", kLongLap - 225}}));
     EXPECT_THAT(page["remarks"].back().get<std::string>(),
                 AllOf(HasSubstr(std::to_string(frames_in(page).size()) + " of 45000 frames"),
                       HasSubstr("all 225 loop closures"),
@@ -97,7 +99,7 @@ TEST(ReportOfALongRun, CountsAllFramesAndSaysWhatItHolds)
 TEST(ReportOfALongRun, LeavesRoomForOtherFramesWhereMostAreLoops)
 {
     const RunFolderFiles run(two_long_laps(1));
-    const auto page = report_of(run);
+    const auto page = page_of(run);
     EXPECT_EQ(page["loops"].size(), 15000U);
     EXPECT_LE(frames_in(page).size(), 35000U);
     EXPECT_THAT(page["remarks"].back().get<std::string>(),
@@ -108,22 +110,22 @@ TEST(ReportOfALongRun, LeavesRoomForOtherFramesWhereMostAreLoops)
 TEST(ReportOfALongRun, HoldsWrongAndMissedLoops)
 {
     auto verdicts = two_long_laps(1);
-    verdicts[kLap + 7] = loop_at(kLap + 7, 20000);
-    verdicts[kLap + 13] = rejected_at(kLap + 13, 13, 0.5);
+    verdicts[kLongLap + 7] = loop_at(kLongLap + 7, 20000);
+    verdicts[kLongLap + 13] = rejected_at(kLongLap + 13, 13, 0.5);
     fild::RunResults results;
     results.frames = verdicts;
     std::vector<std::pair<std::size_t, std::size_t>> loops;
-    for (std::size_t i = kLap; i < kFrames; ++i) loops.push_back({i, i - kLap});
+    for (std::size_t i = kLongLap; i < kLongRun; ++i) loops.push_back({i, i - kLongLap});
     fild::ReportTruth truth;
     truth.evaluation =
-        fild::evaluate_loops(results, fild::LabelTruth(fild::to_loop_labels(loops, kFrames), 0));
+        fild::evaluate_loops(results, fild::LabelTruth(fild::to_loop_labels(loops, kLongRun), 0));
     const RunFolderFiles run(verdicts);
-    const auto page = report_of(run, truth);
+    const auto page = page_of(run, truth);
     const auto frames = frames_in(page);
-    EXPECT_EQ(frames.count(kLap + 7), 1U);
+    EXPECT_EQ(frames.count(kLongLap + 7), 1U);
     EXPECT_EQ(frames.count(20000), 1U) << "where it was taken for";
     ASSERT_EQ(page["truth"]["judgement"].size(), frames.size());
-    const auto row = std::distance(frames.begin(), frames.find(kLap + 7));
+    const auto row = std::distance(frames.begin(), frames.find(kLongLap + 7));
     EXPECT_EQ(page["truth"]["judgement"][static_cast<std::size_t>(row)], "wrong");
     EXPECT_EQ(page["truth"]["missed"].size(), 2U);
     EXPECT_THAT(page["remarks"].back().get<std::string>(),
@@ -140,8 +142,8 @@ TEST(ReportOfALongRun, ComparesTheSameFramesOfBothRuns)
     EXPECT_EQ(page["only"], nlohmann::json({150, 75}));
     const auto frames = frames_in(page["runs"][0]);
     EXPECT_EQ(frames, frames_in(page["runs"][1]));
-    EXPECT_EQ(frames.count(kLap + 100), 1U);
-    EXPECT_EQ(frames.count(kLap + 150), 1U);
+    EXPECT_EQ(frames.count(kLongLap + 100), 1U);
+    EXPECT_EQ(frames.count(kLongLap + 150), 1U);
 }
 
 TEST(ReportOfALongRun, HoldsAllOfAShorterOne)
@@ -149,7 +151,7 @@ TEST(ReportOfALongRun, HoldsAllOfAShorterOne)
     auto frames = two_long_laps(100);
     frames.resize(20000);
     const RunFolderFiles run(frames);
-    const auto page = report_of(run);
+    const auto page = page_of(run);
     EXPECT_EQ(page["frames"]["timestamp"].size(), 20000U);
     EXPECT_FALSE(page["frames"].contains("number"));
     EXPECT_TRUE(page["remarks"].empty());
