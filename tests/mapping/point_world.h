@@ -31,6 +31,7 @@ struct Recorded
     bool odometry = true;
     bool calibration = true;
     std::function<void(MapBuilder&, std::size_t frame)> feed_more{};  ///< before each frame
+    std::function<void(MapBuilder&, const DetectorOutcome&)> add_more{};  ///< after each outcome
 };
 
 /** The two laps. */
@@ -186,7 +187,10 @@ Map map_of(
         change(description);
         builder.add_frame(description.frame, description.timestamp);
         for (const auto& outcome : detector.process(std::move(description), times))
+        {
             builder.add(outcome);
+            if (recorded.add_more) recorded.add_more(builder, outcome);
+        }
     }
     for (const auto& outcome : detector.finish(times)) builder.add(outcome);
     return builder.build(detector, times, go_on);

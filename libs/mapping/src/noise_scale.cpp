@@ -59,14 +59,16 @@ std::vector<Stretch> stretches_of(double metres,
 }
 }  // namespace
 
-double noise_scale_of(std::vector<double> squared_errors, int degrees_of_freedom)
+double noise_scale_of(std::vector<double> squared_errors, int degrees_of_freedom, double quantile)
 {
     if (squared_errors.size() < kEnough) return 1;
-    const auto middle =
-        squared_errors.begin() + static_cast<std::ptrdiff_t>(squared_errors.size() / 2);
-    std::nth_element(squared_errors.begin(), middle, squared_errors.end());
-    const double expected = mrpt::math::chi2inv(0.5, static_cast<unsigned int>(degrees_of_freedom));
-    return std::clamp(std::sqrt(*middle / expected), 1.0, kLargestNoiseScale);
+    const auto place =
+        static_cast<std::ptrdiff_t>(quantile * static_cast<double>(squared_errors.size()));
+    const auto error = squared_errors.begin() + place;
+    std::nth_element(squared_errors.begin(), error, squared_errors.end());
+    const double expected =
+        mrpt::math::chi2inv(quantile, static_cast<unsigned int>(degrees_of_freedom));
+    return std::clamp(std::sqrt(*error / expected), 1.0, kLargestNoiseScale);
 }
 
 NoiseScales noise_scales(const Trajectory& odometry, const Trajectory& vision)
