@@ -13,7 +13,7 @@ namespace fild
 {
 namespace
 {
-constexpr std::size_t kEnough = 5;
+constexpr std::size_t kFewestErrors = 5;
 
 /** What two sources say of one stretch. */
 struct Stretch
@@ -61,7 +61,7 @@ std::vector<Stretch> stretches_of(double metres,
 
 double noise_scale_of(std::vector<double> squared_errors, int degrees_of_freedom, double quantile)
 {
-    if (squared_errors.size() < kEnough) return 1;
+    if (squared_errors.size() < kFewestErrors) return 1;
     const auto place =
         static_cast<std::ptrdiff_t>(quantile * static_cast<double>(squared_errors.size()));
     const auto error = squared_errors.begin() + place;
@@ -78,7 +78,7 @@ NoiseScales noise_scales(const Trajectory& odometry, const Trajectory& vision)
     for (const double metres : {10.0, 30.0, 100.0, 300.0})
     {
         const auto stretches = stretches_of(metres, odometry, vision);
-        if (stretches.size() < kEnough) continue;
+        if (stretches.size() < kFewestErrors) continue;
         std::vector<double> errors;
         double share = 0;
         for (const auto& stretch : stretches)
