@@ -4,8 +4,8 @@
 set -euo pipefail
 
 usage="Usage: metric.sh BUILD_FOLDER WORK_FOLDER [SEED]...
-Draws the demo town of each seed (1) for a stereo, a depth and a single camera, and for a depth camera without odometry; runs
-rawlog-loop-closure, MRPT's graph-slam (3D, and 2D on the single camera's map) and, where BUILD_FOLDER has it
+Draws the demo town of each seed (1) for a stereo, a depth and a single camera, with odometry and GPS of 2 cm; runs
+rawlog-loop-closure with the sources of motion one by one and together, MRPT's graph-slam (3D, and 2D on the single camera's map) and, where BUILD_FOLDER has it
 (-DFILD_BUILD_BENCHMARKS=ON), false_loops with 30 % false loops. What is in WORK_FOLDER already is not made again."
 
 fail() { echo "metric.sh: $1" >&2; exit 1; }
@@ -40,23 +40,30 @@ row() { # NAME RUN TOWN [3d|2d]
 }
 
 /usr/bin/python3 "$here/metric_errors.py" --header
+motion() { # TOWN SOURCES NAME [3d|2d]
+  local run="$1-${2//,/-}"
+  find_loops "$1" "$run" --set "graph.motion_sources=$2"
+  row "$3" "$run" "$1" "${@:4}"
+}
 for seed in "$@"; do
   for sensor in stereo rgbd mono; do
     town=$sensor-$seed
-    draw "$town" --sensor "$sensor" --seed "$seed"
-    find_loops "$town" "$town-map"
-    row "$sensor, seed $seed" "$town-map" "$town" 3d
+    draw "$town" --sensor "$sensor" --seed "$seed" --set sensors.gps=true --set sensors.gps_noise_m=0.02
+    motion "$town" odometry,vision "$sensor, seed $seed" 3d
+    if [ "$sensor" != mono ]; then
+      motion "$town" odometry "$sensor, odometry alone, seed $seed" 3d
+      motion "$town" vision "$sensor, images alone, seed $seed" 3d
+    fi
+    motion "$town" gps,vision "$sensor with GPS, without odometry, seed $seed"
+    motion "$town" auto "$sensor with GPS and odometry, seed $seed"
   done
-  find_loops "mono-$seed" "mono-$seed-2d" --set graph.graph_dimensions=2d
+  find_loops "mono-$seed" "mono-$seed-2d" --set graph.motion_sources=odometry --set graph.graph_dimensions=2d
   row "mono, seed $seed, 2D" "mono-$seed-2d" "mono-$seed" 2d
-  draw "vision-$seed" --sensor rgbd --seed "$seed" --set sensors.odometry=none
-  find_loops "vision-$seed" "vision-$seed-map"
-  row "rgbd without odometry, seed $seed" "vision-$seed-map" "vision-$seed" 3d
 done
 false_loops=$build/tests/benchmark/false_loops
 [ ! -x "$false_loops" ] || for seed in "$@"; do
   for sensor in stereo rgbd mono; do
     town=$sensor-$seed
-    echo "$sensor, seed $seed: $("$false_loops" "$town.rawlog" "$town-map" "$town.gt.tum" 0.3)"
+    echo "$sensor, seed $seed: $("$false_loops" "$town.rawlog" "$town-odometry-vision" "$town.gt.tum" 0.3)"
   done
 done

@@ -62,6 +62,16 @@ TEST(CycleError, CountsTheVariancesOfTheWholeCycle)
         {FrameId{2}, FrameId{6}, CPose3D(7, 0, 0, 0, 0, 0), information_of(2, 1e-6)});
     EXPECT_NEAR(cycle_error(graph, 0, 1), 9 / (4 + 4 + 2 + 3.0), 1e-6);
     EXPECT_NEAR(cycle_error(graph, 1, 0), 9 / (4 + 4 + 2 + 3.0), 1e-6);
+    const auto neighbours = fild::errors_of_neighbours(graph);
+    ASSERT_EQ(neighbours.size(), 1U);
+    EXPECT_NEAR(neighbours[0], 9 / (4 + 4 + 2 + 3.0), 1e-6);
+    const auto against_odometry = fild::errors_against_odometry(graph);
+    ASSERT_EQ(against_odometry.size(), 2U);
+    EXPECT_NEAR(against_odometry[0], 0, 1e-6);
+    EXPECT_NEAR(against_odometry[1], 9 / (4 + 4.0), 1e-6);
+    graph.odometry.erase(graph.odometry.begin() + 4);
+    EXPECT_EQ(fild::errors_of_neighbours(graph).size(), 1U) << "their ways do not cross the gap";
+    EXPECT_THAT(fild::errors_against_odometry(graph), IsEmpty());
 }
 
 /** A cycle's error by MRPT's own composition of uncertain poses. */

@@ -822,7 +822,7 @@ TEST_F(MetricMap, HasNoKittiFileWhereFramesHaveNoPose)
     auto objects = drive.objects();
     for (const int reading : {4, 2, 0}) objects.erase(objects.begin() + reading);
     fild::testing::write_gz(path("run.rawlog"), objects);
-    run_well("--set graph.trajectory_format=kitti");
+    run_well("--set graph.trajectory_format=kitti --set graph.motion_sources=odometry");
     EXPECT_FALSE(has("trajectory_input.kitti"));
     EXPECT_TRUE(has("poses.graph"));
     EXPECT_THAT(notes(), HasSubstr("trajectory_format = tum"));

@@ -229,4 +229,35 @@ TEST(MotionSources, LeaveOutAnOdometryThatStandsStill)
     EXPECT_THAT(source(map, "WHEELS").left_out, HasSubstr("hardly moves"));
 }
 
+/** Beside every second loop a false one, to a place a third of a lap away: a third of all. */
+void add_false_loops(MapBuilder& builder, const fild::DetectorOutcome& outcome)
+{
+    using fild::testing::kFramesPerLap;
+    if (!outcome.verdict.accepted() || to_index(outcome.verdict.frame) % 2 == 0) return;
+    auto false_loop = outcome;
+    auto& candidate = false_loop.verdict.candidate->frame;
+    candidate = fild::FrameId{(to_index(candidate) + kFramesPerLap / 3) % kFramesPerLap};
+    builder.add(false_loop);
+}
+
+// The noise of loops is estimated from the loops themselves, the false ones too.
+TEST(MotionSources, AreNotBentByFalseLoops)
+{
+    Receiver consumer;
+    consumer.quality = kSingle;
+    consumer.noise_m = 2;
+    const std::vector<std::pair<Recorded, double>> drives{
+        {with({}), 0.3}, {with({}, true, true), 0.3}, {with({{}}), 0.05}, {with({consumer}), 1.5}};
+    for (auto [recorded, limit] : drives)
+    {
+        recorded.add_more = add_false_loops;
+        const auto map = map_of(recorded);
+        EXPECT_GE(map.loops.size(), map.graph.loops.size() + 10);
+        EXPECT_LT(map.loop_noise_scale, 2);
+        const double error =
+            map.origin ? error_in_map(map, map.optimized) : fild::testing::error_of(map.optimized);
+        EXPECT_LT(error, limit);
+    }
+}
+
 }  // namespace

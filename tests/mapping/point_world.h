@@ -33,6 +33,7 @@ struct Recorded
     bool odometry = true;
     bool calibration = true;
     std::function<void(MapBuilder&, std::size_t frame)> feed_more{};  ///< before each frame
+    std::function<void(MapBuilder&, const DetectorOutcome&)> add_more{};  ///< after each outcome
 };
 
 /** The two laps. */
@@ -182,7 +183,7 @@ Map map_of(
     const LoopPoses poses(options);
     MapBuilder builder(options, TGraphOptions());
     StageTimes times;
-    const auto add = [&](DetectorOutcome outcome)
+    const auto add = [&](DetectorOutcome& outcome)
     {
         poses.add_pose(outcome, places, times);
         builder.add(outcome);
@@ -194,7 +195,11 @@ Map map_of(
         auto description = world.describe(i, recorded);
         change(description);
         builder.add_frame(description.frame, description.timestamp);
-        for (auto& outcome : detector.process(std::move(description), times)) add(outcome);
+        for (auto& outcome : detector.process(std::move(description), times))
+        {
+            add(outcome);
+            if (recorded.add_more) recorded.add_more(builder, outcome);
+        }
     }
     for (auto& outcome : detector.finish(times)) add(outcome);
     return builder.build(places, times, go_on);

@@ -70,6 +70,9 @@ TEST(RunSummary, TellsOfTheMap)
     summary.map.parts = {38, 2};
     summary.map.chi2_before = 12.3456;
     summary.map.notes = {"something"};
+    summary.map.sources = {{"gps", "CObservationGPS 'GPS'", 40, 2, 0, 1.5, ""}};
+    EXPECT_TRUE(written(summary)["map"]["origin"].is_null());
+    summary.map.origin = fild::MapOrigin{36.5, -4.25, 55};
     const auto map = written(summary)["map"];
     EXPECT_EQ(map["trajectory"], "recorded");
     EXPECT_EQ(map["nodes"], 40);
@@ -77,6 +80,10 @@ TEST(RunSummary, TellsOfTheMap)
     EXPECT_EQ(map["parts"], (std::vector<int>{38, 2}));
     EXPECT_EQ(map["chi2_before"], 12.346);
     EXPECT_EQ(map["notes"][0], "something");
+    EXPECT_EQ(map["sources"][0]["name"], "CObservationGPS 'GPS'");
+    EXPECT_EQ(map["sources"][0]["without_weight"], 2);
+    EXPECT_EQ(map["sources"][0]["noise_scale"], 1.5);
+    EXPECT_EQ(map["origin"]["longitude_deg"], -4.25);
 }
 
 // The digest of "abc" in FIPS 180-4's example.

@@ -245,6 +245,19 @@ TEST(GpsObservation, HasTheAskedNoise)
     }
 }
 
+TEST(GpsObservation, SaysTheQualityThatFitsItsNoise)
+{
+    const std::vector<std::pair<double, int>> qualities{{0.02, 4}, {0.3, 5}, {0.8, 2}, {2, 1}};
+    for (const auto& [noise, quality] : qualities)
+    {
+        TSensorOptions options;
+        options.gps_noise_m = noise;
+        const auto gps = std::dynamic_pointer_cast<obs::CObservationGPS>(
+            fild::gps_observation(options, kStamp, {}, 1, 0));
+        EXPECT_EQ(gps->getMsgByClass<obs::gnss::Message_NMEA_GGA>().fields.fix_quality, quality);
+    }
+}
+
 TEST(GpsObservation, WithoutNoiseIsExactAndStampedInUtc)
 {
     TSensorOptions options;

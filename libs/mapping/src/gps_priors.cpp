@@ -161,6 +161,7 @@ Rigid robust_fit(std::vector<PointPair> pairs, bool about_vertical)
     constexpr double kNear = 0.1;  // m: nearer ones count alike
     auto best = fit(pairs, about_vertical);
     std::vector<double> weights;
+    weights.reserve(pairs.size());
     for (const auto& pair : pairs) weights.push_back(pair.weight);
     for (int round = 0; round < kRounds; ++round)
     {
@@ -174,6 +175,7 @@ Rigid robust_fit(std::vector<PointPair> pairs, bool about_vertical)
 double median_distance(const Rigid& map_from_motion, const std::vector<PointPair>& pairs)
 {
     std::vector<double> distances;
+    distances.reserve(pairs.size());
     for (const auto& pair : pairs) distances.push_back(distance(map_from_motion, pair));
     const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
     std::nth_element(distances.begin(), middle, distances.end());

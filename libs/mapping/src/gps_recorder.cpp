@@ -23,6 +23,7 @@ double median_sigma(const std::vector<TimedFix>& fixes, const TGraphOptions& opt
 {
     if (fixes.empty()) return std::numeric_limits<double>::infinity();
     std::vector<double> sigmas;
+    sigmas.reserve(fixes.size());
     for (const auto& each : fixes) sigmas.push_back(horizontal_sigma(each.fix, options));
     const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
     std::nth_element(sigmas.begin(), middle, sigmas.end());

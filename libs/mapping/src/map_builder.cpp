@@ -109,11 +109,12 @@ std::set<FrameId> frames_of(const PoseGraph& graph)
  *  they are. \param edges  the loops of the graph. */
 void scale_noise(PoseGraph& graph, Map& map, const std::vector<LoopEdge*>& edges)
 {
-    map.loop_noise_scale = noise_scale_of(errors_of_neighbours(graph), 6);
+    constexpr double kQuantile = 0.25;  // where 30 % of the loops are false half of the pairs are
+    map.loop_noise_scale = noise_scale_of(errors_of_neighbours(graph), 6, kQuantile);
     const double loop_variance = map.loop_noise_scale * map.loop_noise_scale;
     for (auto& loop : graph.loops) loop.information *= 1 / loop_variance;
     for (auto* edge : edges) edge->motion->covariance *= loop_variance;
-    map.motion_noise_scale = noise_scale_of(errors_against_odometry(graph), 6);
+    map.motion_noise_scale = noise_scale_of(errors_against_odometry(graph), 6, kQuantile);
     for (auto& edge : graph.odometry)
         edge.information *= 1 / (map.motion_noise_scale * map.motion_noise_scale);
 }

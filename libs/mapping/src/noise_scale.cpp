@@ -13,7 +13,7 @@ namespace fild
 {
 namespace
 {
-constexpr std::size_t kEnough = 5;
+constexpr std::size_t kFewestErrors = 5;
 
 /** What two sources say of one stretch. */
 struct Stretch
@@ -59,14 +59,16 @@ std::vector<Stretch> stretches_of(double metres,
 }
 }  // namespace
 
-double noise_scale_of(std::vector<double> squared_errors, int degrees_of_freedom)
+double noise_scale_of(std::vector<double> squared_errors, int degrees_of_freedom, double quantile)
 {
-    if (squared_errors.size() < kEnough) return 1;
-    const auto middle =
-        squared_errors.begin() + static_cast<std::ptrdiff_t>(squared_errors.size() / 2);
-    std::nth_element(squared_errors.begin(), middle, squared_errors.end());
-    const double expected = mrpt::math::chi2inv(0.5, static_cast<unsigned int>(degrees_of_freedom));
-    return std::clamp(std::sqrt(*middle / expected), 1.0, kLargestNoiseScale);
+    if (squared_errors.size() < kFewestErrors) return 1;
+    const auto place =
+        static_cast<std::ptrdiff_t>(quantile * static_cast<double>(squared_errors.size()));
+    const auto error = squared_errors.begin() + place;
+    std::nth_element(squared_errors.begin(), error, squared_errors.end());
+    const double expected =
+        mrpt::math::chi2inv(quantile, static_cast<unsigned int>(degrees_of_freedom));
+    return std::clamp(std::sqrt(*error / expected), 1.0, kLargestNoiseScale);
 }
 
 NoiseScales noise_scales(const Trajectory& odometry, const Trajectory& vision)
@@ -76,7 +78,7 @@ NoiseScales noise_scales(const Trajectory& odometry, const Trajectory& vision)
     for (const double metres : {10.0, 30.0, 100.0, 300.0})
     {
         const auto stretches = stretches_of(metres, odometry, vision);
-        if (stretches.size() < kEnough) continue;
+        if (stretches.size() < kFewestErrors) continue;
         std::vector<double> errors;
         double share = 0;
         for (const auto& stretch : stretches)

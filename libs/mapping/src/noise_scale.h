@@ -24,8 +24,11 @@ struct NoiseScales
  *  fewer than five stretches are not looked at. */
 NoiseScales noise_scales(const Trajectory& odometry, const Trajectory& vision);
 
-/** The factor of standard deviations that makes squared errors as large as those of chi2 are, by
- *  their median. In [1, kLargestNoiseScale]; 1 for fewer than five. */
-double noise_scale_of(std::vector<double> squared_errors, int degrees_of_freedom);
+/** The factor of standard deviations that makes squared errors as large as those of chi2 are, by one
+ *  of their quantiles: the smaller it is, the more of them may be gross.
+ *  \param quantile  in (0, 1). \return in [1, kLargestNoiseScale]; 1 for fewer than five. */
+double noise_scale_of(std::vector<double> squared_errors,
+                      int degrees_of_freedom,
+                      double quantile = 0.5);
 
 }  // namespace fild

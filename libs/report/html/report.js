@@ -664,11 +664,26 @@ function fitFacts(map, parts) {
   return [['chi\u00b2 expected after: degrees of freedom', `${number(freedom)}; it is ${number(ratio, 2)} of that, ${verdict}`]];
 }
 
+/** What a source of motion is to the map. */
+function sourceFact(source) {
+  if (source.left_out) return `no part in the map: ${source.left_out}`;
+  const what = source.kind === 'gps' ? 'positions' : 'motions';
+  const ignored = source.without_weight ? `, ${number(source.without_weight)} of them without weight` : '';
+  return `${number(source.factors)} ${what}${ignored}; standard deviations times ${number(source.noise_scale, 2)}`;
+}
+
+const scaleFact = map => known(map.loop_noise_scale)
+  ? [['standard deviations of the loops, and of the motion between keyframes, multiplied by',
+      `${number(map.loop_noise_scale, 2)}, and ${number(map.motion_noise_scale, 2)}: as large as the errors of this recording are`]]
+  : [];
+
 function graphFacts(map) {
   const parts = map.parts || [];
   const {none, ...sources} = map.depth_sources || {};
   return [
     ['trajectory before', map.trajectory_source ? `${map.trajectory}: ${map.trajectory_source}` : map.trajectory],
+    ...(map.sources || []).map(source => [source.name, sourceFact(source)]),
+    ...scaleFact(map),
     ['keyframes', number(map.nodes)],
     ['edges of the motion', number(map.odometry_edges)],
     ['loop edges', number(map.loop_edges)],

@@ -90,6 +90,14 @@ mrpt::poses::CPose2D planar(const mrpt::math::TPose3D& pose)
 {
     return {pose.x, pose.y, pose.yaw};
 }
+
+/** What a receiver with such noise says of its fixes: RTK fixed or float, differential or single. */
+std::uint8_t fix_quality(double noise_m)
+{
+    if (noise_m <= 0.05) return 4;
+    if (noise_m <= 0.5) return 5;
+    return noise_m <= 1 ? 2 : 1;
+}
 }  // namespace
 
 std::vector<CObservation::Ptr> camera_observations(const TSensorOptions& options,
@@ -192,7 +200,7 @@ CObservation::Ptr gps_observation(const TSensorOptions& options,
     gga.fields.longitude_degrees = place.longitude_deg;
     gga.fields.altitude_meters = place.height_m;
     gga.fields.orthometric_altitude = gga.fields.corrected_orthometric_altitude = place.height_m;
-    gga.fields.fix_quality = 1;
+    gga.fields.fix_quality = fix_quality(options.gps_noise_m);
     gga.fields.satellitesUsed = 8;
     gga.fields.thereis_HDOP = true;
     gga.fields.HDOP = 1;
