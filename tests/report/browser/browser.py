@@ -6,6 +6,7 @@ import json
 import time
 
 from selenium import webdriver
+from selenium.common.exceptions import ElementClickInterceptedException
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
 from selenium.webdriver.common.by import By
@@ -96,6 +97,16 @@ class Browser:
     def press(self, selector):
         """A button, wherever it is."""
         self.run("arguments[0].click()", self.element(selector))
+
+    def click_on(self, button):
+        """As the mouse does. What still moves the page between looking and clicking gets two more tries."""
+        for tries_left in (2, 1, 0):
+            self.show(button)
+            try:
+                return button.click()
+            except ElementClickInterceptedException:
+                if tries_left == 0:
+                    raise  # it names what covers the button
 
     def click(self):
         ActionChains(self.driver).click().perform()

@@ -266,8 +266,7 @@ class Report(PageTest):
                 before = self.browser.run(widths)
                 buttons = self.browser.driver.find_elements("css selector", "#frames tbody td button")
                 for count, button in enumerate(buttons[:2], 1):
-                    self.browser.show(button)
-                    button.click()  # as the mouse does: what covers it would be named
+                    self.browser.click_on(button)
                     self.browser.wait_for("return [...document.querySelectorAll('#frames figure img')]"
                                           f".filter(image => image.naturalWidth > 0).length === {count}")
                 self.assertEqual(self.browser.run(widths), before)
