@@ -58,13 +58,32 @@ OutputFolder::OutputFolder(std::string path) : path_(std::move(path)), lock_file
     constexpr int kTries = 10;
     for (int i = 0; i < kTries && !is_file_of(lock_, lock_file_); ++i)
         lock_ = locked(path_, lock_file_, lock_);
-    remove_unfinished_in(path_);
+    if (!is_file_of(lock_, lock_file_))
+    {
+        ::close(lock_);
+        throw std::runtime_error("cannot lock " + path_ +
+                                 ": other runs begin and end there all the time");
+    }
+    try
+    {
+        remove_unfinished_in(path_);
+    }
+    catch (...)
+    {
+        unlock();
+        throw;
+    }
+}
+
+void OutputFolder::unlock() const
+{
+    ::unlink(lock_file_.c_str());
+    ::close(lock_);
 }
 
 OutputFolder::~OutputFolder()
 {
-    ::unlink(lock_file_.c_str());
-    ::close(lock_);
+    unlock();
 }
 
 std::string OutputFolder::file(const std::string& name) const

@@ -21,6 +21,8 @@ class OutputFolder
     std::string file(const std::string& name) const;
 
  private:
+    void unlock() const;
+
     std::string path_;
     std::string lock_file_;
     int lock_ = -1;  ///< descriptor of the lock file

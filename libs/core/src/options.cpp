@@ -3,6 +3,7 @@
 
 #include "did_you_mean.h"
 #include "fild/core/parse_number.h"
+#include "fild/core/words.h"
 #include "shortened.h"
 
 #include <mrpt/config/CConfigFileBase.h>
@@ -23,13 +24,6 @@ std::string to_text(double value)
     std::array<char, 32> buffer{};
     const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), result.ptr};
-}
-
-std::string join(const std::vector<std::string>& words)
-{
-    std::string joined;
-    for (const auto& word : words) joined += (joined.empty() ? "" : ", ") + word;
-    return joined;
 }
 
 /** Reads each field from a section, remembers which keys it knows. */
@@ -71,7 +65,7 @@ class Loader : public OptionVisitor
                 const std::vector<std::string> known(known_.begin(), known_.end());
                 throw std::runtime_error("[" + section_ + "] unknown key '" + shortened(key) +
                                          "'; " + did_you_mean(key, known) +
-                                         "known keys: " + join(known));
+                                         "known keys: " + joined(known, ", "));
             }
     }
 
@@ -82,7 +76,7 @@ class Loader : public OptionVisitor
     {
         text(key, word);
         if (std::find(allowed.begin(), allowed.end(), word) == allowed.end())
-            fail(key, word, "one of: " + join(allowed));
+            fail(key, word, "one of: " + joined(allowed, ", "));
     }
 
     template <class Number>

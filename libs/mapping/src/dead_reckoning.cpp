@@ -105,7 +105,7 @@ void DeadReckoning::add_pose(double seconds, const PoseReading& reading)
     Matrix6 covariance = covariance_of(movement, reading.is_planar);
     if (hidden)
         covariance += covariance_of(*hidden, reading.is_planar);
-    else if (!reset && elapsed > 0)
+    else if (!reset && elapsed > 0 && elapsed <= options_.max_gap_s)
         driven_.add(movement, elapsed);
     move(movement, covariance);
     current_.absolute.reset();

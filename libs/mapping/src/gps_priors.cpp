@@ -54,23 +54,40 @@ std::optional<NearPosition> near_position(const GpsTrack& track,
     return best;
 }
 
-/** Where the robot was so many seconds after a frame, seen from there; nothing when the motion does
- *  not tell. */
+std::optional<std::size_t> next_in_segment(const std::vector<Trajectory::Frame>& frames,
+                                           std::size_t i,
+                                           bool later)
+{
+    if (later ? i + 1 >= frames.size() : i == 0) return std::nullopt;
+    const auto next = later ? i + 1 : i - 1;
+    if (frames[next].at.segment != frames[i].at.segment) return std::nullopt;
+    return next;
+}
+
+/** The robot's movement in `seconds` after a frame, in its axes there; nothing when the motion does not
+ *  tell. */
 std::optional<Rigid> movement_after(const Trajectory& motion, std::size_t frame, double seconds)
 {
     constexpr double kSameMoment = 0.01;  // s
-    constexpr double kFurthest = 1.5;  // of the time to the next frame
+    constexpr double kFurthest = 1.5;  // of the time between the two frames next to the moment
     if (std::abs(seconds) < kSameMoment) return Rigid();
     const auto& frames = motion.frames();
-    if (seconds < 0 && frame == 0) return std::nullopt;
-    const auto other = seconds > 0 ? frame + 1 : frame - 1;
-    if (other >= frames.size() || frames[other].at.segment != frames[frame].at.segment)
-        return std::nullopt;
-    const double share = seconds / (frames[other].timestamp - frames[frame].timestamp);
+    const auto away = [&](std::size_t i)
+    { return std::abs(frames[i].timestamp - frames[frame].timestamp); };
+    auto before = frame;
+    auto after = next_in_segment(frames, before, seconds > 0);
+    while (after && away(*after) < std::abs(seconds))
+    {
+        const auto next = next_in_segment(frames, *after, seconds > 0);
+        if (!next) break;
+        before = *after;
+        after = next;
+    }
+    if (!after) return std::nullopt;
+    const double share = (std::abs(seconds) - away(before)) / (away(*after) - away(before));
     if (!(share >= 0 && share <= kFurthest)) return std::nullopt;
-    return between(Rigid(),
-                   frames[frame].at.map_from_robot.inverse() * frames[other].at.map_from_robot,
-                   share);
+    return frames[frame].at.map_from_robot.inverse() *
+           between(frames[before].at.map_from_robot, frames[*after].at.map_from_robot, share);
 }
 
 Vector3d to_vector(const mrpt::math::TPoint3D& point)

@@ -41,7 +41,6 @@ class GpsReceiver
     /** \param observation  CObservationGPS of this receiver. */
     void feed(const mrpt::obs::CObservation& observation);
 
-    const std::string& name() const { return name_; }
     const std::vector<TimedFix>& fixes() const { return fixes_; }
 
     /** \param plausible  of each fix.

@@ -98,13 +98,6 @@ TrajectorySource source_of(const MotionEstimate& estimate)
     return has_others ? TrajectorySource::combined : TrajectorySource::vision;
 }
 
-std::set<FrameId> frames_of(const PoseGraph& graph)
-{
-    std::set<FrameId> frames;
-    for (const auto& node : graph.nodes) frames.insert(node.frame);
-    return frames;
-}
-
 /** Makes the loops, and then the motion between keyframes, as uncertain as the recording shows that
  *  they are. \param edges  the loops of the graph. */
 void scale_noise(PoseGraph& graph, Map& map, const std::vector<LoopEdge*>& edges)

@@ -97,7 +97,12 @@ Placement solve_placement(const Trajectory& motion,
                           const CheckCancelled& check_cancelled)
 {
     auto built = build_pose_graph(motion, {}, options);
-    built.graph.priors = priors;
+    // Where frames stand exactly as far apart as keyframes must, a turned motion has other keyframes.
+    const auto frames = frames_of(built.graph);
+    std::copy_if(priors.begin(),
+                 priors.end(),
+                 std::back_inserter(built.graph.priors),
+                 [&](const GraphPrior& prior) { return frames.count(prior.frame) > 0; });
     auto solution = solve_graph(built.graph, options, check_cancelled);
     const auto solved = solved_graph(built.graph, solution);
     return {with_poses(motion, corrected_poses(motion, solved)), std::move(solution.priors)};
@@ -105,6 +110,7 @@ Placement solve_placement(const Trajectory& motion,
 
 double share_with_weight(const std::vector<PriorResult>& priors)
 {
+    if (priors.empty()) return 0;
     const auto count = std::count_if(
         priors.begin(), priors.end(), [](const PriorResult& prior) { return prior.weight > 0.5; });
     return static_cast<double>(count) / static_cast<double>(priors.size());
@@ -130,6 +136,8 @@ class ReceiverChoice
                    const CheckCancelled& check_cancelled)
         : motion_(motion), options_(options), check_cancelled_(check_cancelled)
     {
+        options_.robust_weights =
+            true;  // weights tell which receivers lie, whatever the map is for
         for (const auto frame : select_keyframes(motion, options)) keyframes_.insert(frame);
     }
 
@@ -180,7 +188,7 @@ class ReceiverChoice
     }
 
     const Trajectory& motion_;
-    const TGraphOptions& options_;
+    TGraphOptions options_;
     const CheckCancelled& check_cancelled_;
     std::set<FrameId> keyframes_;
     std::vector<UsedReceiver> receivers_;
@@ -207,6 +215,14 @@ std::vector<const GpsTrack*> after_votes(const GpsRecord& gps,
     return kept;
 }
 
+/** A source that is left out has a part in nothing. */
+std::vector<MotionSourceUse> counted(std::vector<MotionSourceUse> sources)
+{
+    for (auto& source : sources)
+        if (!source.left_out.empty()) source.factors = 0;
+    return sources;
+}
+
 /** The motion by the most certain receiver that gives frames a pose. */
 MotionEstimate by_gps_alone(const std::vector<const GpsTrack*>& tracks,
                             std::vector<MotionSourceUse> sources,
@@ -229,8 +245,8 @@ MotionEstimate by_gps_alone(const std::vector<const GpsTrack*>& tracks,
         }
         sources.push_back(std::move(use));
     }
-    if (!motion) return {Trajectory({}, {}), Trajectory({}, {}), std::move(sources)};
-    return {*motion, *motion, std::move(sources), std::move(receivers), gps.origin};
+    if (!motion) return {Trajectory({}, {}), Trajectory({}, {}), counted(std::move(sources))};
+    return {*motion, *motion, counted(std::move(sources)), std::move(receivers), gps.origin};
 }
 }  // namespace
 
@@ -242,6 +258,13 @@ std::vector<std::vector<GraphPrior>> MotionEstimate::priors(const std::set<Frame
     for (const auto& [track, scale] : receivers)
         all.push_back(priors_of(*track, motion, keyframes, max_gap_s, scale * scale));
     return all;
+}
+
+std::set<FrameId> frames_of(const PoseGraph& graph)
+{
+    std::set<FrameId> frames;
+    for (const auto& node : graph.nodes) frames.insert(node.frame);
+    return frames;
 }
 
 std::vector<GraphPrior> joined(const std::vector<std::vector<GraphPrior>>& priors)
@@ -264,7 +287,7 @@ MotionEstimate estimate_motion(const Trajectory& odometry,
     for (const auto* track : tracks) choice.judge(*track);
     const auto receivers = choice.receivers();
     for (auto& use : std::move(choice).uses()) sources.push_back(std::move(use));
-    if (receivers.empty()) return {motion, motion, std::move(sources)};
+    if (receivers.empty()) return {motion, motion, counted(std::move(sources))};
     const MotionEstimate unplaced{motion, motion, {}, receivers};
     const auto keyframes = select_keyframes(motion, options);
     const auto priors =
@@ -272,7 +295,7 @@ MotionEstimate estimate_motion(const Trajectory& odometry,
     const auto placed = placed_by(priors, motion);
     return {placed,
             solve_placement(placed, priors, options, check_cancelled).way,
-            std::move(sources),
+            counted(std::move(sources)),
             receivers,
             gps.origin};
 }

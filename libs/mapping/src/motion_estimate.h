@@ -51,4 +51,7 @@ MotionEstimate estimate_motion(const Trajectory& odometry,
                                const TGraphOptions& options,
                                const CheckCancelled& check_cancelled);
 
+/** Of the nodes. */
+std::set<FrameId> frames_of(const PoseGraph& graph);
+
 }  // namespace fild

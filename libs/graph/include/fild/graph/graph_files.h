@@ -22,7 +22,8 @@ namespace fild
  *  spatial: TORO's VERTEX3 and EDGE3, angles as roll pitch yaw, rows of the information likewise.
  *  planar: VERTEX_SE2 and EDGE_SE2, made of x, y and yaw; their information is what remains of the
  *  covariance, not a part of the information.
- *  MRPT 2.5 optimises only connected graphs: write the largest of connected_parts().
+ *  Priors are not written. MRPT 2.5 optimises only connected graphs: write the largest of
+ *  connected_parts() of the graph without its priors.
  *  \throw std::invalid_argument on a bad graph, std::runtime_error when the file cannot be written.
  */
 void write_mrpt_graph(const std::string& path, const PoseGraph& graph, GraphDimensions dimensions);

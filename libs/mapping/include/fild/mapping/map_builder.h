@@ -27,7 +27,7 @@ struct MotionEstimate;
 /** Where a map's input trajectory comes from. */
 enum class TrajectorySource
 {
-    none,  ///< the recording has no odometry, and the images no depth
+    none,  ///< neither odometry nor GPS, and the images no depth
     recorded,  ///< odometry, actions, robot poses or GPS
     vision,  ///< stereo pairs or depth images, see visual_odometry()
     combined  ///< both
@@ -49,14 +49,14 @@ struct Map
     std::string compared_source{};  ///< that `agreement` is about
     double loop_noise_scale = 1;  ///< that the covariances of `loops` were found too small by
     double motion_noise_scale = 1;  ///< likewise of the motion between keyframes
-    MotionAgreement agreement{};  ///< of the images with the recorded motion, where that is used
+    MotionAgreement agreement{};  ///< of the images with `compared_source`, used or not
     /** Nodes at their optimised poses, loops with a weight of more than 0; see solved_graph(). */
     PoseGraph graph{};
     std::vector<std::vector<FrameId>> parts{};  ///< of the graph, see connected_parts()
     std::vector<TrajectoryPose> optimized{};  ///< of each pose of the trajectory
     std::vector<LoopEdge> loops{};  ///< every accepted loop, in order of the queries
     std::set<FrameId> frames_with_motion_depth{};  ///< of the loops without depth of their own
-    /** Sum of the squared errors of all edges of `graph`, times the loops' weights. */
+    /** Sum of the squared errors of all edges and priors of `graph`, times their weights. */
     double chi2_before = 0;  ///< at the poses of the trajectory
     double chi2_after = 0;  ///< at the optimised ones
     bool is_largest_set = true;  ///< see LoopAgreement
@@ -87,12 +87,11 @@ class MapBuilder
     void add(const DetectorOutcome& outcome);
 
     /** The map of all so far.
-     *  \param detector  that gave the outcomes, with the same options.
+     *  \param places  of the stream that gave the outcomes, with the same options.
      *  \param go_on  called again and again, by several threads at a time; what it throws ends the
      *         work and is thrown on.
-     *  \param times receives "trajectory", "visual_odometry", "motion_agreement", "motion_depth", "graph",
-     *         and the
-     *         stages of the pairs of frames that were looked at. */
+     *  \param times receives "trajectory", "visual_odometry", "motion_agreement", "motion_depth",
+     *         "graph", and the stages of the pairs of frames that were looked at. */
     Map build(
         const PlaceMap& places, StageTimes& times, const GoOn& go_on = [] {}) const;
 

@@ -18,8 +18,8 @@ namespace fild
 struct GpsRecord;
 
 /** Gathers what the sensors of a recording, other than its cameras, tell of the robot's motion.
- *  Memory grows with the number of readings. Deterministic. Not thread-safe: one caller at a
- *  time. */
+ *  Memory grows with the number of frames, once for each receiver, and of GPS fixes; of odometry as
+ *  that of TrajectoryBuilder. Deterministic. Not thread-safe: one caller at a time. */
 class MotionRecorder
 {
  public:

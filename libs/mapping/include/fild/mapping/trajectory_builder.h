@@ -38,8 +38,8 @@ namespace fild
  *    (TGraphOptions::max_speed_m_per_s), begins a new segment at the last pose; so do actions that
  *    lead further.
  *
- *  Memory grows with the number of frames and of GPS fixes; of other readings those since the last
- *  frame are kept, and 10,000 before it at the least: frames that come later still have no pose.
+ *  Memory grows with the number of frames; of readings those since the last frame are kept, and
+ *  10,000 before it at the least: a frame that is older than those has no pose.
  *  Deterministic. Not thread-safe: one caller at a time.
  */
 class TrajectoryBuilder
