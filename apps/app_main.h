@@ -7,7 +7,6 @@
 
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -54,12 +53,12 @@ class ThrowingOutput : public TCLAP::StdOutput
     }
 
     /** --list of "Argument: (--list)", "Argument: -l (--list)" and "Argument: --list"; -l of
-     *  "Argument: -l"; empty for " ". */
+     *  "Argument: -l"; more of "Argument: more"; empty for " ". */
     static std::string name_in(const std::string& argument)
     {
-        const auto name = std::min(argument.find("--"), argument.size());
-        const auto first = name < argument.size() ? name : argument.find('-');
-        return first == std::string::npos ? "" : argument.substr(first, argument.find(')') - first);
+        const auto name = argument.find("--");
+        const auto first = name == std::string::npos ? argument.rfind(' ') + 1 : name;
+        return argument.substr(first, argument.find(')') - first);
     }
 
     /** "--images or --list, --output" */

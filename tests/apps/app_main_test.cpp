@@ -39,6 +39,7 @@ TEST(ParseArguments, NamesWhatItDoesNotKnowAndWhatIsGivenTwice)
 {
     EXPECT_EQ(usage_error({"--bogus"}), "unknown argument: --bogus");
     EXPECT_EQ(usage_error({"-b"}), "unknown argument: -b");
+    EXPECT_EQ(usage_error({"one-more"}), "unknown argument: one-more");
     EXPECT_EQ(usage_error({"--output", "a", "--output", "b"}), "given twice: --output");
     EXPECT_EQ(usage_error({"-s", "tiny", "--size", "tiny"}), "given twice: --size");
     EXPECT_EQ(usage_error({"-s", "tyni"}), "'tyni' is not one of tiny|large: --size");
