@@ -192,6 +192,7 @@ void load_sections(const mrpt::config::CConfigFileBase& config,
                    const std::vector<std::string>& passed_over)
 {
     std::vector<std::string> known;
+    known.reserve(sections.size() + passed_over.size());
     for (const auto& section : sections) known.push_back(section.first);
     known.insert(known.end(), passed_over.begin(), passed_over.end());
     std::vector<std::string> present;

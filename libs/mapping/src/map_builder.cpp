@@ -212,7 +212,7 @@ Trajectory MapBuilder::image_motion(const PlaceMap& places,
     const auto trajectory = trajectory_from_motions(motions);
     auto report = trajectory.report();
     report.source = motions.empty() ? "" : "images";
-    return {trajectory, std::move(report)};
+    return Trajectory(trajectory, std::move(report));
 }
 
 LoopEdge MapBuilder::edge_of(const Loop& loop, const PlaceMap& places) const

@@ -16,7 +16,7 @@ namespace fild
 /** A receiver with a part in the map. */
 struct UsedReceiver
 {
-    const GpsTrack* track;  ///< of the GpsRecord that the estimate was made from
+    const GpsTrack* track = nullptr;  ///< of the GpsRecord that the estimate was made from
     double noise_scale = 1;
 };
 

@@ -83,7 +83,7 @@ double horizontal_sigma(const GpsFix& fix, const TGraphOptions& options)
 
 std::vector<bool> plausible_fixes(const std::vector<TimedFix>& fixes, const TGraphOptions& options)
 {
-    constexpr std::size_t kEnough = 5;
+    constexpr std::size_t kEnoughFixes = 5;
     auto tracks = tracks_of(fixes, options);
     std::stable_sort(tracks.begin(),
                      tracks.end(),
@@ -94,7 +94,7 @@ std::vector<bool> plausible_fixes(const std::vector<TimedFix>& fixes, const TGra
         const auto is_apart = [&](const Track* other)
         { return track.back() < other->front() || track.front() > other->back(); };
         if (kept.empty() ||
-            (track.size() >= kEnough && std::all_of(kept.begin(), kept.end(), is_apart)))
+            (track.size() >= kEnoughFixes && std::all_of(kept.begin(), kept.end(), is_apart)))
             kept.push_back(&track);
     }
     std::vector<bool> plausible(fixes.size(), false);
