@@ -44,12 +44,7 @@ Rigid between(const Anchor& before, const Anchor& after, const Rigid& original)
     const double to_after = (after.original.translation - original.translation).norm();
     const double way = from_before + to_after;
     const double share = way > 0 ? from_before / way : 0;
-    const Rigid a = moved_with(before, original);
-    const Rigid b = moved_with(after, original);
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond(a.rotation).slerp(share, Eigen::Quaterniond(b.rotation));
-    return {turn.normalized().toRotationMatrix(),
-            a.translation + share * (b.translation - a.translation)};
+    return between(moved_with(before, original), moved_with(after, original), share);
 }
 
 /** For each pose the nearest anchor of its segment at it or before it. */

@@ -3,6 +3,7 @@
 
 #include <mrpt/math/CMatrixDynamic.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace fild
@@ -60,6 +61,21 @@ Rigid rigid_of(const Vector6& tangent)
     rigid.translation = tangent.head<3>();
     if (angle > 0) rigid.rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
     return rigid;
+}
+
+Rigid between(const Rigid& a, const Rigid& b, double share)
+{
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(a.rotation).slerp(share, Eigen::Quaterniond(b.rotation));
+    return {turn.normalized().toRotationMatrix(),
+            a.translation + share * (b.translation - a.translation)};
+}
+
+Matrix6 turned(const Matrix6& covariance, const Eigen::Matrix3d& rotation)
+{
+    Matrix6 turn = Matrix6::Zero();
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation;
+    return turn * covariance * turn.transpose();
 }
 
 Matrix6 adjoint(const Rigid& a_from_b)

@@ -16,14 +16,6 @@ namespace fild
 {
 namespace
 {
-/** A covariance along other axes, for position and rotation vector alike. */
-Matrix6 turned(const Matrix6& covariance, const Eigen::Matrix3d& rotation)
-{
-    Matrix6 turn = Matrix6::Zero();
-    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation;
-    return turn * covariance * turn.transpose();
-}
-
 /** later - earlier, whichever of the two comes first. */
 Matrix6 growth_between(const Matrix6& a, const Matrix6& b)
 {

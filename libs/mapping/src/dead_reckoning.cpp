@@ -25,14 +25,6 @@ Matrix6 in_tangent(const mrpt::poses::CPose3D& pose, const mrpt::math::CMatrixDo
     const Matrix6 by_parameters = tangent_by_parameters(pose);
     return by_parameters * to_eigen(covariance) * by_parameters.transpose();
 }
-
-/** A covariance along other axes, for position and rotation vector alike. */
-Matrix6 turned(const Matrix6& covariance, const Eigen::Matrix3d& rotation)
-{
-    Matrix6 turn = Matrix6::Zero();
-    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = rotation;
-    return turn * covariance * turn.transpose();
-}
 }  // namespace
 
 void Driven::add(const Rigid& movement, double elapsed)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gps_priors.h"
 
+#include "upper_median.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -8,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace fild
 {
@@ -194,9 +197,7 @@ double median_distance(const Rigid& map_from_motion, const std::vector<PointPair
     std::vector<double> distances;
     distances.reserve(pairs.size());
     for (const auto& pair : pairs) distances.push_back(distance(map_from_motion, pair));
-    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    return *middle;
+    return upper_median(std::move(distances));
 }
 
 /** True when the map's vertical is that of a robot (z up) or a camera (y down): positions that are

@@ -2,9 +2,11 @@
 #include "gps_recorder.h"
 
 #include "sensor_name.h"
+#include "upper_median.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace fild
 {
@@ -25,9 +27,7 @@ double median_sigma(const std::vector<TimedFix>& fixes, const TGraphOptions& opt
     std::vector<double> sigmas;
     sigmas.reserve(fixes.size());
     for (const auto& each : fixes) sigmas.push_back(horizontal_sigma(each.fix, options));
-    const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
-    std::nth_element(sigmas.begin(), middle, sigmas.end());
-    return *middle;
+    return upper_median(std::move(sigmas));
 }
 
 /** The first plausible fix of all, in the order of the receivers. */

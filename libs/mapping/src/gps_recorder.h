@@ -4,7 +4,7 @@
 #include "gps_track.h"
 
 #include <map>
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace fild

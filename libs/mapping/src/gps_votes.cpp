@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gps_votes.h"
 
+#include "upper_median.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace fild
 {
@@ -38,9 +41,7 @@ std::optional<bool> agree(const GpsTrack& one, const GpsTrack& other)
                            kDeviations * std::hypot(a->sigma_m, b->sigma_m));
     }
     if (excesses.size() < kEnough) return std::nullopt;
-    const auto middle = excesses.begin() + static_cast<std::ptrdiff_t>(excesses.size() / 2);
-    std::nth_element(excesses.begin(), middle, excesses.end());
-    return *middle <= 0;
+    return upper_median(std::move(excesses)) <= 0;
 }
 }  // namespace
 

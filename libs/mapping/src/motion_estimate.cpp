@@ -167,6 +167,7 @@ class ReceiverChoice
         uses_.push_back(std::move(use));
     }
 
+    const std::set<FrameId>& keyframes() const { return keyframes_; }
     std::vector<UsedReceiver> receivers() const { return receivers_; }
     std::vector<MotionSourceUse> uses() && { return std::move(uses_); }
 
@@ -289,9 +290,7 @@ MotionEstimate estimate_motion(const Trajectory& odometry,
     for (auto& use : std::move(choice).uses()) sources.push_back(std::move(use));
     if (receivers.empty()) return {motion, motion, counted(std::move(sources))};
     const MotionEstimate unplaced{motion, motion, {}, receivers};
-    const auto keyframes = select_keyframes(motion, options);
-    const auto priors =
-        joined(unplaced.priors({keyframes.begin(), keyframes.end()}, options.max_gap_s));
+    const auto priors = joined(unplaced.priors(choice.keyframes(), options.max_gap_s));
     const auto placed = placed_by(priors, motion);
     return {placed,
             solve_placement(placed, priors, options, check_cancelled).way,

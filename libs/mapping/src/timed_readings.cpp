@@ -52,7 +52,7 @@ std::optional<FoundPose> pose_in_run(const std::vector<TimedReading>& readings,
     };
     if (is_cut && seconds < readings[run.begin].seconds) return std::nullopt;
     if (run.end - run.begin == 1) return alone(run.begin);
-    const auto i = std::max(run.begin, reading_before(readings, run, seconds));
+    const auto i = reading_before(readings, run, seconds);
     const auto& a = readings[i];
     const auto& b = readings[i + 1];
     const double interval = b.seconds - a.seconds;
@@ -63,14 +63,6 @@ std::optional<FoundPose> pose_in_run(const std::vector<TimedReading>& readings,
     return FoundPose{between(a.at, b.at, share), share > 1 ? i + 1 : i};
 }
 }  // namespace
-
-Rigid between(const Rigid& a, const Rigid& b, double share)
-{
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond(a.rotation).slerp(share, Eigen::Quaterniond(b.rotation));
-    return {turn.normalized().toRotationMatrix(),
-            a.translation + share * (b.translation - a.translation)};
-}
 
 std::optional<FoundPose> pose_at(const KeptReadings& kept,
                                  const AwaitedFrame& frame,

@@ -27,9 +27,6 @@ struct AwaitedFrame
     std::size_t arrival = 0;
 };
 
-/** The pose at a share of the way from a to b; below 0 and above 1 as if the robot moved on. */
-Rigid between(const Rigid& a, const Rigid& b, double share);
-
 /** Readings in the order of the recording, without the first `forgotten` ones. */
 struct KeptReadings
 {

@@ -40,6 +40,12 @@ Vector6 tangent_of(const Rigid& a_from_b);
 /** The motion (translation v, rotation exp(w)) of an error: inverse of tangent_of(). */
 Rigid rigid_of(const Vector6& tangent);
 
+/** The pose at a share of the way from a to b; below 0 and above 1 as if the robot moved on. */
+Rigid between(const Rigid& a, const Rigid& b, double share);
+
+/** A covariance along other axes, for position and rotation vector alike. */
+Matrix6 turned(const Matrix6& covariance, const Eigen::Matrix3d& rotation);
+
 /** Takes an error told in b to the same error told in a: for T = a_from_b,
  *  T * error(d) = error(adjoint(T) d) * T, to first order. */
 Matrix6 adjoint(const Rigid& a_from_b);
