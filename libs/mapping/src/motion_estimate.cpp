@@ -169,7 +169,7 @@ class ReceiverChoice
 
     const std::set<FrameId>& keyframes() const { return keyframes_; }
     std::vector<UsedReceiver> receivers() const { return receivers_; }
-    std::vector<MotionSourceUse> uses() && { return std::move(uses_); }
+    const std::vector<MotionSourceUse>& uses() const { return uses_; }
 
  private:
     std::vector<GraphPrior> priors_of(const GpsTrack& track, double scale) const
@@ -287,7 +287,7 @@ MotionEstimate estimate_motion(const Trajectory& odometry,
     ReceiverChoice choice(motion, options, check_cancelled);
     for (const auto* track : tracks) choice.judge(*track);
     const auto receivers = choice.receivers();
-    for (auto& use : std::move(choice).uses()) sources.push_back(std::move(use));
+    sources.insert(sources.end(), choice.uses().begin(), choice.uses().end());
     if (receivers.empty()) return {motion, motion, counted(std::move(sources))};
     const MotionEstimate unplaced{motion, motion, {}, receivers};
     const auto priors = joined(unplaced.priors(choice.keyframes(), options.max_gap_s));
