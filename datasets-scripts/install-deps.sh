@@ -41,8 +41,6 @@ case "${1:-}" in
   --help | -h) echo "$usage"; exit 0 ;;
   *) echo "install-deps.sh: unknown option '$1'" >&2; echo "$usage" >&2; exit 2 ;;
 esac
-# get-model.sh and get-charts.sh need npm; another than Debian's is as good.
-command -v npm > /dev/null || packages+=(npm)
 
 missing=()
 for package in "${packages[@]}"; do

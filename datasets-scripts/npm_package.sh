@@ -2,6 +2,8 @@
 # Sourced by get-model.sh and get-charts.sh: packages of npm whose content is known beforehand.
 # shellcheck shell=bash
 
+python=/usr/bin/python3 # Debian's: it sees the packages that apt installs
+
 fail() {
     echo "$(basename "$0"): error: $*" >&2
     exit 1
@@ -46,19 +48,38 @@ check_sum() {
     [[ $got == "$3" ]] || fail "$4 is not the one expected: ${1%sum} $got, expected $3; nothing was written"
 }
 
-check_npm() {
-    command -v npm >/dev/null || fail "npm is not installed; try: apt install npm"
+# download URL FILE
+download() {
+    "$python" - "$@" <<'EOF'
+import shutil, sys, urllib.request
+try:
+    with urllib.request.urlopen(sys.argv[1], timeout=60) as page, open(sys.argv[2], "wb") as file:
+        shutil.copyfileobj(page, file)
+except OSError as error:
+    sys.exit(str(error))
+EOF
+}
+
+# fetch_tarball NAME VERSION FOLDER: with npm, where it is installed, for it knows of proxies and mirrors; else
+# from the registry itself.
+fetch_tarball() {
+    local name=$1 version=$2 folder=$3 errors=$3/fetch.err
+    if command -v npm >/dev/null; then
+        (cd "$folder" && npm pack --loglevel=error "$name@$version" >npm.out 2>"$errors") && return
+    else
+        local url=${NPM_CONFIG_REGISTRY:-https://registry.npmjs.org}
+        download "${url%/}/$name/-/${name##*/}-$version.tgz" "$folder/package.tgz" 2>"$errors" && return
+    fi
+    fail "cannot fetch $name $version; is there a network? $(tr -s '\n' ' ' <"$errors" | cut -c 1-200)"
 }
 
 # fetch_package NAME VERSION SHA512 FOLDER FILE...: leaves the FILEs of the package below FOLDER.
 fetch_package() {
-    local package=$1@$2 sha512=$3 folder=$4
+    local sha512=$3 folder=$4
     echo "fetching $1 $2"
-    if ! (cd "$folder" && npm pack --loglevel=error "$package" >npm.out 2>npm.err); then
-        fail "npm could not fetch $package; is there a network? npm: $(tr -s '\n' ' ' <"$folder/npm.err" | cut -c 1-200)"
-    fi
+    fetch_tarball "$1" "$2" "$folder"
     local tarballs=("$folder"/*.tgz)
-    [[ -f ${tarballs[0]} ]] || fail "npm pack wrote no package; try again, or look at: npm pack $package"
+    [[ -f ${tarballs[0]} ]] || fail "npm pack wrote no package; try again, or look at: npm pack $1@$2"
     check_sum sha512sum "${tarballs[0]}" "$sha512" "the package"
     tar -xzf "${tarballs[0]}" -C "$folder" "${@:5}"
 }

@@ -3,7 +3,7 @@
 
 #include "app_main.h"
 #include "fild/evaluation/run_evaluation.h"
-#include "fild/report/run_summary.h"
+#include "fild/results/run_summary.h"
 
 #include <algorithm>
 #include <filesystem>

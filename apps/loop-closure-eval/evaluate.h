@@ -2,7 +2,7 @@
 #pragma once
 
 #include "eval_options.h"
-#include "fild/report/evaluation_report.h"
+#include "fild/evaluation/evaluation_report.h"
 
 namespace fild
 {

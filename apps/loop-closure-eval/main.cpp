@@ -4,8 +4,8 @@
 #include "app_main.h"
 #include "eval_options.h"
 #include "evaluate.h"
-#include "fild/report/evaluation_report.h"
-#include "fild/report/sweep_report.h"
+#include "fild/evaluation/evaluation_report.h"
+#include "fild/evaluation/sweep_report.h"
 #include "output_folder.h"
 
 #include <optional>

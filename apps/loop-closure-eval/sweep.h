@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/report/sweep_report.h"
+#include "fild/evaluation/sweep_report.h"
 #include "swept_key.h"
 #include "truth.h"
 

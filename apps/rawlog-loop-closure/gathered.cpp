@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gathered.h"
 
+#include "fild/core/process_memory.h"
 #include "map_files.h"
 
 namespace fild
@@ -15,9 +16,9 @@ double support_threshold(const TDetectorOptions& detector)
 }  // namespace
 
 Gathered::Gathered(const OutputFolder& folder, const TRunOptions& options)
-    : frames(folder.file("frames.csv")),
-      candidates(folder.file("candidates.csv")),
-      costs(folder.file("costs.csv")),
+    : frames(folder.file("frames.csv"), frames_csv_columns()),
+      candidates(folder.file("candidates.csv"), candidates_csv_columns()),
+      costs(folder.file("costs.csv"), costs_csv_columns()),
       pictures(options.render, options.report, support_threshold(options.stream.detector)),
       folder_(folder)
 {
@@ -27,14 +28,21 @@ Gathered::Gathered(const OutputFolder& folder, const TRunOptions& options)
 
 void Gathered::add_costs(FrameId frame, const LoopClosureStream& stream)
 {
-    costs.add(frame, stream.times(), stream.map_bytes());
+    CostRow row{frame, {}, stream.map_bytes(), resident_memory_bytes()};
+    for (std::size_t i = 0; i < kFrameStages.size(); ++i)
+    {
+        const double total_ms = stream.times().total_ms(kFrameStages.at(i));
+        row.stage_ms.at(i) = total_ms - stage_totals_ms_.at(i);
+        stage_totals_ms_.at(i) = total_ms;
+    }
+    costs.add(row);
 }
 
 void Gathered::add(const DetectorOutcome& outcome)
 {
     const auto& verdict = outcome.verdict;
-    frames.add(verdict, to_word(outcome.depth_source));
-    candidates.add(verdict.frame, outcome.considered);
+    frames.add({verdict, to_word(outcome.depth_source)});
+    for (const auto& considered : outcome.considered) candidates.add({verdict.frame, considered});
     if (similarities) similarities->add(verdict.frame, outcome.global);
     summary.add(verdict);
     verdicts.push_back(verdict);
@@ -58,32 +66,34 @@ void Gathered::add_map(const Map& map)
     write_loops(&map);
     summary.map.depth_sources.clear();
     for (std::size_t i = 0; i < verdicts.size(); ++i)
-        ++summary.map.depth_sources[source_word(i, &map)];
+        ++summary.map.depth_sources[row_of_frame(i, &map).depth_source];
 }
 
-std::string Gathered::source_word(std::size_t frame, const Map* map) const
+FrameRow Gathered::row_of_frame(std::size_t frame, const Map* map) const
 {
     const bool is_motion =
         map != nullptr && map->frames_with_motion_depth.count(verdicts[frame].frame) != 0;
-    return to_word(is_motion ? DepthSource::motion : depth_sources[frame]);
+    return {verdicts[frame], to_word(is_motion ? DepthSource::motion : depth_sources[frame])};
 }
 
 void Gathered::write_frames(const Map& map) const
 {
-    VerdictCsv csv(folder_.file("frames.csv"));
-    for (std::size_t i = 0; i < verdicts.size(); ++i) csv.add(verdicts[i], source_word(i, &map));
+    CsvWriter<FrameRow> csv(folder_.file("frames.csv"), frames_csv_columns());
+    for (std::size_t i = 0; i < verdicts.size(); ++i) csv.add(row_of_frame(i, &map));
     csv.commit();
 }
 
 void Gathered::write_loops(const Map* map) const
 {
-    LoopCsv csv(folder_.file("loops.csv"));
+    CsvWriter<LoopRow> csv(folder_.file("loops.csv"), loops_csv_columns());
     std::size_t loop = 0;
     for (std::size_t i = 0; i < verdicts.size(); ++i)
-        if (verdicts[i].accepted())
-            csv.add(verdicts[i],
-                    source_word(i, map),
-                    map != nullptr ? row_of(map->loops[loop++]) : LoopRow());
+    {
+        if (!verdicts[i].accepted()) continue;
+        auto row = map != nullptr ? row_of(map->loops[loop++]) : LoopRow();
+        static_cast<FrameRow&>(row) = row_of_frame(i, map);
+        csv.add(row);
+    }
     csv.commit();
 }
 

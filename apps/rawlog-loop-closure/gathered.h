@@ -2,15 +2,17 @@
 #pragma once
 
 #include "fild/mapping/map_builder.h"
-#include "fild/report/cost_csv.h"
-#include "fild/report/run_summary.h"
 #include "fild/report/similarity_matrix.h"
-#include "fild/report/verdict_csv.h"
+#include "fild/results/candidates_csv.h"
+#include "fild/results/costs_csv.h"
+#include "fild/results/loops_csv.h"
+#include "fild/results/run_summary.h"
 #include "fild/stream/loop_closure_stream.h"
 #include "loop_closure_run.h"
 #include "match_pictures.h"
 #include "output_folder.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -37,9 +39,9 @@ struct Gathered
      *  frames came from the motion. */
     void add_map(const Map& map);
 
-    VerdictCsv frames;
-    CandidateCsv candidates;
-    CostCsv costs;
+    CsvWriter<FrameRow> frames;
+    CsvWriter<CandidateRow> candidates;
+    CsvWriter<CostRow> costs;
     std::optional<SimilarityMatrix> similarities;
     RunSummary summary;
     std::vector<FrameVerdict> verdicts;  ///< of every camera frame
@@ -47,11 +49,12 @@ struct Gathered
     PairsToDraw pictures;
 
  private:
-    std::string source_word(std::size_t frame, const Map* map) const;
+    FrameRow row_of_frame(std::size_t frame, const Map* map) const;
     void write_frames(const Map& map) const;
     void write_loops(const Map* map) const;
 
     const OutputFolder& folder_;
+    std::array<double, kFrameStages.size()> stage_totals_ms_{};  ///< of the frames before
 };
 
 }  // namespace fild

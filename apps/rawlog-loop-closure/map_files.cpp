@@ -7,7 +7,7 @@
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/paired_rawlog.h"
 #include "fild/rawlog/pose_conversion.h"
-#include "fild/report/pose_csv.h"
+#include "fild/results/poses_csv.h"
 #include "map_notes.h"
 #include "track_kml.h"
 
@@ -50,14 +50,12 @@ class FrameObservations
     FrameBuilder builder_;
 };
 
-LoopRow::Unscaled unscaled_row(const UnscaledMotion& motion)
+LoopRow::Three angles_of(const mrpt::poses::CPose3D& pose)
 {
-    const auto turned = mrpt_pose_from({motion.rotation, {}});
-    const auto& d = motion.direction;
-    return {{turned.yaw(), turned.pitch(), turned.roll()}, {d[0], d[1], d[2]}};
+    return {pose.yaw(), pose.pitch(), pose.roll()};
 }
 
-PoseCsv::PoseNumbers numbers_of(const mrpt::poses::CPose3D& pose)
+PoseNumbers numbers_of(const mrpt::poses::CPose3D& pose)
 {
     const mrpt::poses::CPose3DQuat quaternion(pose);
     const auto& q = quaternion.quat();
@@ -66,12 +64,12 @@ PoseCsv::PoseNumbers numbers_of(const mrpt::poses::CPose3D& pose)
 
 void write_poses(const Map& map, const std::string& path)
 {
-    PoseCsv csv(path);
+    CsvWriter<PoseRow> csv(path, poses_csv_columns());
     const auto& input = map.trajectory.poses();
     for (std::size_t i = 0; i < input.size(); ++i)
-        csv.add(input[i].frame,
-                numbers_of(input[i].map_from_robot),
-                numbers_of(map.optimized[i].map_from_robot));
+        csv.add({input[i].frame,
+                 numbers_of(input[i].map_from_robot),
+                 numbers_of(map.optimized[i].map_from_robot)});
     csv.commit();
 }
 
@@ -235,13 +233,22 @@ LoopRow row_of(const LoopEdge& loop)
     const bool is_edge = loop.withheld == Withheld::none;
     row.edge = is_edge ? to_word(loop.result.fate) : to_word(loop.withheld);
     if (is_edge) row.weight = loop.result.weight;
-    if (loop.unscaled) row.unscaled = unscaled_row(*loop.unscaled);
-    if (!loop.motion) return row;
-    const auto& pose = loop.motion->a_from_b;
-    row.candidate_from_query = {
-        pose.x(), pose.y(), pose.z(), pose.yaw(), pose.pitch(), pose.roll()};
-    for (int i = 0; i < 6; ++i)
-        row.deviations[static_cast<std::size_t>(i)] = std::sqrt(loop.motion->covariance(i, i));
+    if (loop.motion)
+    {
+        const auto& pose = loop.motion->a_from_b;
+        const auto deviation = [&](int i) { return std::sqrt(loop.motion->covariance(i, i)); };
+        row.position = {pose.x(), pose.y(), pose.z()};
+        row.angles = angles_of(pose);
+        row.position_deviations = {deviation(0), deviation(1), deviation(2)};
+        row.angle_deviations = {deviation(3), deviation(4), deviation(5)};
+    }
+    else if (loop.unscaled)
+        row.angles = angles_of(mrpt_pose_from({loop.unscaled->rotation, {}}));
+    if (loop.unscaled)
+    {
+        const auto& d = loop.unscaled->direction;
+        row.direction = {d[0], d[1], d[2]};
+    }
     return row;
 }
 

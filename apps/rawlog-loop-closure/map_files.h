@@ -4,8 +4,8 @@
 #include "fild/graph/graph_options.h"
 #include "fild/mapping/map_builder.h"
 #include "fild/rawlog/input_options.h"
-#include "fild/report/run_summary.h"
-#include "fild/report/verdict_csv.h"
+#include "fild/results/loops_csv.h"
+#include "fild/results/run_summary.h"
 #include "output_folder.h"
 
 #include <cstddef>

@@ -3,7 +3,7 @@
 
 #include "fild/graph/graph_options.h"
 #include "fild/mapping/map_builder.h"
-#include "fild/report/run_summary.h"
+#include "fild/results/run_summary.h"
 
 #include <string>
 #include <vector>

@@ -2,9 +2,9 @@
 #include "run_output.h"
 
 #include "error_line.h"
+#include "fild/core/process_memory.h"
+#include "fild/evaluation/evaluation_report.h"
 #include "fild/features/model_file.h"
-#include "fild/report/evaluation_report.h"
-#include "fild/report/process_memory.h"
 #include "interruption.h"
 #include "judged_run.h"
 #include "map_files.h"

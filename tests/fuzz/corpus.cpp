@@ -3,8 +3,10 @@
 
 #include "drawn_drive.h"
 #include "evaluation/mat_file.h"
-#include "fild/report/pose_csv.h"
-#include "fild/report/verdict_csv.h"
+#include "fild/results/candidates_csv.h"
+#include "fild/results/costs_csv.h"
+#include "fild/results/loops_csv.h"
+#include "fild/results/poses_csv.h"
 #include "rawlog/drawn_rawlog.h"
 
 #include <mrpt/io/CFileGZOutputStream.h>
@@ -238,26 +240,37 @@ std::vector<FrameVerdict> verdicts()
 std::vector<Sample> tables(const std::string& folder)
 {
     const auto path = folder + "/made.csv";
-    VerdictCsv frames(path);
-    PoseCsv poses(path + ".poses");
-    CandidateCsv candidates(path + ".candidates");
+    CsvWriter<FrameRow> frames(path, frames_csv_columns());
+    CsvWriter<PoseRow> poses(path + ".poses", poses_csv_columns());
+    CsvWriter<CandidateRow> candidates(path + ".candidates", candidates_csv_columns());
+    CsvWriter<LoopRow> loops(path + ".loops", loops_csv_columns());
+    CsvWriter<CostRow> costs(path + ".costs", costs_csv_columns());
     for (const auto& verdict : verdicts())
     {
-        frames.add(verdict, "stereo");
-        poses.add(verdict.frame, {1, 2, 3, 0, 0, 0, 1}, {1, 2, 3, 0, 0, 1, 0});
+        frames.add({verdict, "stereo"});
+        poses.add({verdict.frame, {1, 2, 3, 0, 0, 0, 1}, {1, 2, 3, 0, 0, 1, 0}});
+        costs.add({verdict.frame, {}, 1000, 2000});
         if (!verdict.candidate) continue;
         ConsideredCandidate considered;
         considered.candidate = *verdict.candidate;
         considered.rank = 1;
         considered.checked = true;
-        candidates.add(verdict.frame, {considered});
+        candidates.add({verdict.frame, considered});
+        LoopRow loop;
+        loop.verdict = verdict;
+        loop.position = loop.angles = {1, 2, 3};
+        loops.add(loop);
     }
     frames.commit();
     poses.commit();
     candidates.commit();
+    loops.commit();
+    costs.commit();
     return {{"frames", read_text(path), {}},
             {"poses", read_text(path + ".poses"), {}},
-            {"candidates", read_text(path + ".candidates"), {}}};
+            {"candidates", read_text(path + ".candidates"), {}},
+            {"loops", read_text(path + ".loops"), {}},
+            {"costs", read_text(path + ".costs"), {}}};
 }
 
 std::vector<Sample> lists()

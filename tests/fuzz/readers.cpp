@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "readers.h"
 
-#include "fild/evaluation/candidates_csv.h"
 #include "fild/evaluation/frame_poses.h"
-#include "fild/evaluation/frames_csv.h"
 #include "fild/evaluation/loop_labels.h"
-#include "fild/evaluation/poses_csv.h"
 #include "fild/features/global_descriptor.h"
 #include "fild/features/surf.h"
 #include "fild/mapping/map_builder.h"
@@ -14,6 +11,11 @@
 #include "fild/rawlog/image_list.h"
 #include "fild/rawlog/rawlog_reader.h"
 #include "fild/rawlog/robot_path_file.h"
+#include "fild/results/candidates_csv.h"
+#include "fild/results/costs_csv.h"
+#include "fild/results/frames_csv.h"
+#include "fild/results/loops_csv.h"
+#include "fild/results/poses_csv.h"
 #include "fild/stream/loop_closure_stream.h"
 #include "rawlog/drawn_rawlog.h"
 
@@ -158,6 +160,8 @@ void read_file(Kind kind,
             if (reader == "frames") read_frames_csv(path);
             if (reader == "poses") read_poses_csv(path, 12);
             if (reader == "candidates") read_candidates_csv(path, 12);
+            if (reader == "loops") read_loops_csv(path);
+            if (reader == "costs") read_costs_csv(path, 5);
             break;
         case Kind::list:
             read_list(reader, path);

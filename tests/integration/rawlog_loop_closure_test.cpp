@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "fild/evaluation/csv_fields.h"
+#include "fild/results/csv_fields.h"
 #include "frames_csv.h"
 #include "run_command.h"
 #include "temporary_folder.h"

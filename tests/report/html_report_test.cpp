@@ -2,7 +2,7 @@
 #include "fild/report/html_report.h"
 
 #include "fild/evaluation/loop_labels.h"
-#include "fild/report/pose_csv.h"
+#include "fild/results/poses_csv.h"
 #include "message_of.h"
 #include "run_folder_files.h"
 
@@ -170,9 +170,9 @@ TEST(HtmlReport, TakesPosesByTheNumberOfTheFrame)
     frames[2].timestamp = frames[0].timestamp;  // the clock was set back
     const RunFolderFiles run(frames);
     write_text(run.path("trajectory_input.tum"), "of no use\n");
-    fild::PoseCsv poses(run.path("poses.csv"));
-    poses.add(fild::FrameId{0}, {1, 2, 3, 0, 0, 0, 1}, {1, 2, 4, 0, 0, 0, 1});
-    poses.add(fild::FrameId{2}, {0.1, 0.2, 0.3, 0, 0, 1, 0}, {5, 6, 7, 0, 0, 1, 0});
+    fild::CsvWriter<fild::PoseRow> poses(run.path("poses.csv"), fild::poses_csv_columns());
+    poses.add({fild::FrameId{0}, {1, 2, 3, 0, 0, 0, 1}, {1, 2, 4, 0, 0, 0, 1}});
+    poses.add({fild::FrameId{2}, {0.1, 0.2, 0.3, 0, 0, 1, 0}, {5, 6, 7, 0, 0, 1, 0}});
     poses.commit();
     const auto trajectories = report_of(run)["trajectories"];
     EXPECT_EQ(trajectories["input"][0], (std::vector<double>{1, 2, 3}));
@@ -213,8 +213,10 @@ TEST(HtmlReport, LaysTheTruthOverTheMap)
 TEST(HtmlReport, TellsHowFarEdgesAreFromTheTrajectory)
 {
     fild::LoopRow edge;
-    edge.candidate_from_query = {1, 0, 0, 0, 0, 0};  // the query is 1 m ahead of the candidate
-    edge.deviations = {0.3, 0.4, 0, 0.01, 0.01, 0.01};
+    edge.position = {1, 0, 0};  // the query is 1 m ahead of the candidate
+    edge.angles = {0, 0, 0};
+    edge.position_deviations = {0.3, 0.4, 0};
+    edge.angle_deviations = {0.01, 0.01, 0.01};
     edge.weight = 1;
     edge.edge = "used";
     const RunFolderFiles run({frame_at(0), loop_at(1, 0)}, {edge});
@@ -262,7 +264,8 @@ nlohmann::json exact_edge_on_a_bent_map(const cv::Matx33d& body, bool oriented =
     const auto query = pose_on_way(19);
     const cv::Vec3d position = candidate.rotation.t() * (query.position - candidate.position);
     fild::LoopRow edge;
-    edge.candidate_from_query = {position[0], position[1], 0, 1.6, 0, 0};
+    edge.position = {position[0], position[1], 0};
+    edge.angles = {1.6, 0, 0};
     const RunFolderFiles run(frames, {edge});
     std::string optimized;
     fild::ReportTruth truth;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fild/core/verdict.h"
-#include "fild/report/run_summary.h"
-#include "fild/report/verdict_csv.h"
+#include "fild/results/loops_csv.h"
+#include "fild/results/run_summary.h"
 #include "temporary_folder.h"
 
 #include <nlohmann/json.hpp>
@@ -56,15 +56,17 @@ class RunFolderFiles
         summary_.rawlog = "town.rawlog";
         summary_.options = {{"runtime", {{"seed", "1"}}}};
         summary_.versions = {{"mrpt-fild", "0.1.0"}};
-        VerdictCsv csv(path("frames.csv"));
-        LoopCsv loop_csv(path("loops.csv"));
+        CsvWriter<FrameRow> csv(path("frames.csv"), frames_csv_columns());
+        CsvWriter<LoopRow> loop_csv(path("loops.csv"), loops_csv_columns());
         std::size_t loop = 0;
         for (const auto& frame : frames)
         {
-            csv.add(frame, "none");
+            csv.add({frame, "none"});
             summary_.add(frame);
             if (!frame.accepted()) continue;
-            loop_csv.add(frame, "none", loop < loops.size() ? loops[loop] : LoopRow());
+            auto row = loop < loops.size() ? loops[loop] : LoopRow();
+            row.verdict = frame;
+            loop_csv.add(row);
             ++loop;
         }
         csv.commit();

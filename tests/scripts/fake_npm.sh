@@ -21,11 +21,12 @@ set_up() {
     fake_npm 'exit 1'
 }
 
-# remove_npm: sets only_path to a folder of tools without npm.
+# remove_npm: sets only_path to a folder of tools without npm, and a registry that is not there.
 remove_npm() {
     rm "$work/bin/npm"
+    export NPM_CONFIG_REGISTRY=http://localhost:9
     local tool
-    for tool in basename cat cut dirname sha256sum; do
+    for tool in basename cat cut dirname mkdir mktemp rm sha256sum tr; do
         ln -s "$(command -v "$tool")" "$work/bin/$tool"
     done
     only_path=$work/bin

@@ -34,16 +34,17 @@ test_a_damaged_folder_is_fetched_again() {
     run_script --output "$work/out"
     expect "a damaged folder: npm is called" npm_was_called
     expect "a damaged folder: a failure is reported" exits_with 1
-    expect "a damaged folder: says which package" says "echarts@6.1.0"
+    expect "a damaged folder: says which package" says "echarts 6.1.0"
 }
 
-test_missing_npm_is_named() {
+test_the_registry_is_asked_where_there_is_no_npm() {
     set_up
-    local only_path
+    local only_path NPM_CONFIG_REGISTRY
     remove_npm
     run_script --output "$work/out/charts"
     expect "no npm: exit code 1" exits_with 1
-    expect "no npm: says what to install" says "apt install npm"
+    expect "no npm: asks for a network" says "is there a network?"
+    expect "no npm: says what went wrong" says "Connection refused"
 }
 
 test_arguments() {
@@ -64,6 +65,6 @@ test_arguments() {
 test_a_wrong_package_is_refused
 test_an_intact_folder_is_kept
 test_a_damaged_folder_is_fetched_again
-test_missing_npm_is_named
+test_the_registry_is_asked_where_there_is_no_npm
 test_arguments
 end_of_tests

@@ -51,13 +51,14 @@ test_the_default_place_follows_xdg() {
     expect "the default place: below XDG_DATA_HOME" says "$model is already there"
 }
 
-test_missing_npm_is_named() {
+test_the_registry_is_asked_where_there_is_no_npm() {
     set_up
-    local only_path
+    local only_path NPM_CONFIG_REGISTRY
     remove_npm
     run_script --output "$model"
     expect "no npm: exit code 1" exits_with 1
-    expect "no npm: says what to install" says "apt install npm"
+    expect "no npm: asks for a network" says "is there a network?"
+    expect "no npm: says what went wrong" says "Connection refused"
     expect "no npm: leaves nothing behind" is_empty "$work/out"
 }
 
@@ -90,7 +91,7 @@ test_a_wrong_package_is_refused
 test_an_intact_file_is_kept
 test_a_damaged_file_is_fetched_again_and_kept_until_then
 test_the_default_place_follows_xdg
-test_missing_npm_is_named
+test_the_registry_is_asked_where_there_is_no_npm
 test_npm_without_a_network_is_explained
 test_arguments
 end_of_tests

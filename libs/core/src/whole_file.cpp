@@ -119,6 +119,24 @@ void WholeFile::commit()
     sync_to_disk(folder_of(path_));
 }
 
+void write_whole_file(const std::filesystem::path& path, const std::string& content)
+{
+    remove_unfinished_of(path.string());
+    WholeFile file(path.string());
+    file.stream() << content;
+    file.commit();
+}
+
+std::filesystem::path make_folder(const std::string& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw std::runtime_error("cannot make the output folder " + folder + ": " +
+                                 error.message());
+    return folder;
+}
+
 void refuse_existing(const std::string& path)
 {
     if (std::filesystem::exists(std::filesystem::symlink_status(path)))

@@ -258,4 +258,26 @@ std::vector<MetricRange> ranges_of(const std::vector<std::vector<Metric>>& runs)
     return ranges;
 }
 
+std::string format_value(double value, Metric::Kind kind)
+{
+    std::ostringstream text;
+    text << std::fixed;
+    if (kind == Metric::Kind::share && value > 0 && value < 1)
+        value = std::clamp(value, 0.001, 0.999);
+    if (kind == Metric::Kind::count)
+        text << std::setprecision(value == std::floor(value) ? 0 : 1) << value;
+    else
+        text << std::setprecision(3) << value;
+    return text.str();
+}
+
+std::string format_range(const MetricRange& range, bool several)
+{
+    if (range.runs == 0) return "-";
+    const auto kind = range.metric.kind;
+    auto mean = format_value(*range.metric.value, kind);
+    if (!several) return mean;
+    return mean + " [" + format_value(range.min, kind) + ", " + format_value(range.max, kind) + "]";
+}
+
 }  // namespace fild

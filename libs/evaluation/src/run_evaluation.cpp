@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/evaluation/run_evaluation.h"
 
-#include "fild/evaluation/frames_csv.h"
-#include "fild/evaluation/poses_csv.h"
+#include "fild/results/frames_csv.h"
+#include "fild/results/poses_csv.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,11 @@ namespace
 {
 constexpr double kSameTime = 1e-5;  // seconds; frames.csv has six decimals
 
+FramePose pose_of(const PoseNumbers& n)
+{
+    return {rotation_of({n[3], n[4], n[5], n[6]}), {n[0], n[1], n[2]}};
+}
+
 /** Out of poses.csv; nothing when it is not there. */
 std::optional<PosesOfFrames> poses_by_frame(const std::string& folder,
                                             const std::string& name,
@@ -25,8 +30,11 @@ std::optional<PosesOfFrames> poses_by_frame(const std::string& folder,
 {
     const auto path = std::filesystem::path(folder) / "poses.csv";
     if (!std::filesystem::exists(path)) return std::nullopt;
-    auto poses = read_poses_csv(path.string(), frames.size());
-    return name == "input" ? std::move(poses.input) : std::move(poses.optimized);
+    const auto numbers = name == "input" ? &PoseRow::input : &PoseRow::optimized;
+    PosesOfFrames poses;
+    for (const auto& row : read_poses_csv(path.string(), frames.size()))
+        poses.push_back(row ? std::optional(pose_of((*row).*numbers)) : std::nullopt);
+    return poses;
 }
 
 /** The pose nearest in time to each frame. Times are rounded to 1e-6 s in frames.csv, and doubles

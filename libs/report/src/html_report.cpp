@@ -3,10 +3,10 @@
 
 #include "comparison.h"
 #include "data_url.h"
+#include "fild/core/whole_file.h"
 #include "page_frames.h"
 #include "report_pictures.h"
 #include "run_folder.h"
-#include "text_file.h"
 
 #include <filesystem>
 #include <map>
@@ -85,15 +85,15 @@ void write_page(std::string_view html,
                 const nlohmann::ordered_json& data,
                 const std::filesystem::path& path)
 {
-    write_text_file(path,
-                    filled_in(html,
-                              {{"STYLE", std::string(kReportCss)},
-                               {"DATA", for_script(data)},
-                               {"CHARTS", std::string(kChartsJs)},
-                               {"LICENCE", for_html(kChartsLicence)},
-                               {"NOTICE", for_html(kChartsNotice)},
-                               {"COMMON", std::string(kCommonJs)},
-                               {"SCRIPT", std::string(script)}}));
+    write_whole_file(path,
+                     filled_in(html,
+                               {{"STYLE", std::string(kReportCss)},
+                                {"DATA", for_script(data)},
+                                {"CHARTS", std::string(kChartsJs)},
+                                {"LICENCE", for_html(kChartsLicence)},
+                                {"NOTICE", for_html(kChartsNotice)},
+                                {"COMMON", std::string(kCommonJs)},
+                                {"SCRIPT", std::string(script)}}));
 }
 }  // namespace
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loop_edges.h"
 
-#include "csv_table.h"
 #include "fild/core/angle.h"
 #include "fild/core/words.h"
+#include "fild/results/loops_csv.h"
 #include "rounded.h"
 
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -28,31 +27,18 @@ cv::Matx33d rotation_about(int axis, double angle)
     return rotation;
 }
 
-/** Three columns of a row, if all are filled. */
-std::optional<cv::Vec3d> vector_of(const CsvTable& table,
-                                   std::size_t row,
-                                   const std::array<const char*, 3>& columns)
+cv::Vec3d vector_of(const LoopRow::Three& three)
 {
-    cv::Vec3d vector;
-    for (int i = 0; i < 3; ++i)
-    {
-        const auto value = table.number(row, columns.at(static_cast<std::size_t>(i)));
-        if (!value) return std::nullopt;
-        vector[i] = *value;
-    }
-    return vector;
+    return {three[0], three[1], three[2]};
 }
 
-/** candidate_from_query of a row of loops.csv. */
-std::optional<FramePose> edge_of(const CsvTable& table, std::size_t row)
+/** candidate_from_query of a loop closure that has a scale. */
+std::optional<FramePose> edge_of(const LoopRow& loop)
 {
-    const auto position = vector_of(table, row, {"x", "y", "z"});
-    const auto angles = vector_of(table, row, {"yaw_deg", "pitch_deg", "roll_deg"});
-    if (!position || !angles) return std::nullopt;
-    const auto radians = *angles * kRadiansPerDegree;
-    return FramePose{rotation_about(2, radians[0]) * rotation_about(1, radians[1]) *
-                         rotation_about(0, radians[2]),
-                     *position};
+    if (!loop.position || !loop.angles) return std::nullopt;
+    const auto& [yaw, pitch, roll] = *loop.angles;
+    return FramePose{rotation_about(2, yaw) * rotation_about(1, pitch) * rotation_about(0, roll),
+                     vector_of(*loop.position)};
 }
 
 /** The two poses of a loop on one trajectory. */
@@ -112,27 +98,25 @@ Json loops_json(const std::vector<FrameVerdict>& frames,
     std::vector<const FrameVerdict*> accepted;
     for (const auto& frame : frames)
         if (frame.accepted()) accepted.push_back(&frame);
-    std::optional<CsvTable> table;
-    if (std::filesystem::exists(loops_csv)) table.emplace(loops_csv);
-    if (table && table->rows() != accepted.size())
-        throw std::runtime_error(loops_csv + " has " + count_of(table->rows(), "loop closure") +
+    const bool has_file = std::filesystem::exists(loops_csv);
+    const auto rows = has_file ? read_loops_csv(loops_csv) : std::vector<LoopRow>(accepted.size());
+    if (rows.size() != accepted.size())
+        throw std::runtime_error(loops_csv + " has " + count_of(rows.size(), "loop closure") +
                                  ", frames.csv beside it " + std::to_string(accepted.size()));
     Json loops = Json::array();
-    for (std::size_t row = 0; row < accepted.size(); ++row)
+    for (std::size_t i = 0; i < accepted.size(); ++i)
     {
-        const auto& loop = *accepted[row];
+        const auto& loop = *accepted[i];
+        const auto& row = rows[i];
         if (!page.at(to_index(loop.frame))) continue;
         Json json = {{"query", to_index(loop.frame)},
                      {"candidate", to_index(loop.candidate->frame)},
                      {"inliers", loop.inliers}};
-        if (table)
-        {
-            if (const auto weight = table->number(row, "weight")) json["weight"] = *weight;
-            if (const auto fate = table->text(row, "edge"); !fate.empty()) json["edge"] = fate;
-            if (const auto sigma = vector_of(*table, row, {"sigma_x", "sigma_y", "sigma_z"}))
-                json["translation_sd_m"] = rounded(cv::norm(*sigma), 6);
-            if (const auto edge = edge_of(*table, row)) add_edge(json, *edge, loop, trajectories);
-        }
+        if (row.weight) json["weight"] = *row.weight;
+        if (!row.edge.empty()) json["edge"] = row.edge;
+        if (row.position_deviations)
+            json["translation_sd_m"] = rounded(cv::norm(vector_of(*row.position_deviations)), 6);
+        if (const auto edge = edge_of(row)) add_edge(json, *edge, loop, trajectories);
         loops.push_back(std::move(json));
     }
     return loops;

@@ -4,7 +4,7 @@
 #include "data_url.h"
 #include "fild/core/parallel_for.h"
 #include "fild/core/spread.h"
-#include "fild/report/evaluation_report.h"
+#include "fild/evaluation/evaluation_report.h"
 
 #include <algorithm>
 #include <filesystem>

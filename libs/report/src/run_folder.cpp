@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder.h"
 
-#include "csv_table.h"
-#include "evaluation_parts.h"
 #include "fild/core/spread.h"
 #include "fild/core/words.h"
-#include "fild/evaluation/frames_csv.h"
 #include "fild/evaluation/metric.h"
+#include "fild/results/costs_csv.h"
+#include "fild/results/frames_csv.h"
 #include "loop_edges.h"
 #include "page_frames.h"
 #include "report_pictures.h"
@@ -129,20 +128,19 @@ std::map<std::string, PosesOfFrames> read_trajectories(const RunFolder& run,
 Json costs_json(const std::string& path)
 {
     constexpr std::size_t kMostRows = 2000;
-    const CsvTable table(path, kMostRows);
-    Json json = {{"frame", Json::array()}, {"ms", Json::object()}};
-    const std::string unit = "_ms";
-    for (std::size_t row = 0; row < table.rows(); ++row)
-        for (const auto& column : table.columns())
-        {
-            const auto value = table.number(row, column);
-            const bool is_time =
-                column.size() > unit.size() &&
-                column.compare(column.size() - unit.size(), unit.size(), unit) == 0;
-            auto& list =
-                is_time ? json["ms"][column.substr(0, column.size() - unit.size())] : json[column];
-            list.push_back(value ? Json(rounded(*value, 3)) : Json());
-        }
+    Json json;
+    for (const auto* column : {"frame", "ms", "map_bytes", "resident_bytes"})
+        json[column] = Json::array();
+    auto& stages = json["ms"] = Json::object();
+    for (const auto* stage : kFrameStages) stages[stage] = Json::array();
+    for (const auto& row : read_costs_csv(path, kMostRows))
+    {
+        json["frame"].push_back(to_index(row.frame));
+        for (std::size_t i = 0; i < kFrameStages.size(); ++i)
+            stages[kFrameStages.at(i)].push_back(rounded(row.stage_ms.at(i), 3));
+        json["map_bytes"].push_back(row.map_bytes);
+        json["resident_bytes"].push_back(row.resident_bytes ? Json(*row.resident_bytes) : Json());
+    }
     return json;
 }
 

@@ -46,6 +46,9 @@ enum class Rejection
 /** The word that stands in frames.csv; empty for Rejection::none. */
 std::string to_word(Rejection rejection);
 
+/** The inverse; nothing for another word. */
+std::optional<Rejection> rejection_of(const std::string& word);
+
 /** A phrase for a user: why such a frame is not a loop closure, or what a loop closure is. */
 std::string meaning_of(Rejection rejection);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -66,6 +67,13 @@ class WholeFile
     std::optional<WriteLock> lock_;
     bool committed_ = false;
 };
+
+/** Writes a file whole or not at all; what a killed process left of it is removed.
+ *  \throw std::runtime_error as WholeFile. */
+void write_whole_file(const std::filesystem::path& path, const std::string& content);
+
+/** Makes the folder if need be. \throw std::runtime_error naming it. */
+std::filesystem::path make_folder(const std::string& folder);
 
 /** Before a file or folder is made that must not replace anything.
  *  \throw std::runtime_error when there is something of that name, a dangling link included. */

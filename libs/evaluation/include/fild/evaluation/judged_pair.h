@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fild/core/verdict.h"
-#include "fild/evaluation/candidates_csv.h"
 #include "fild/evaluation/loop_truth.h"
+#include "fild/results/candidates_csv.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/evaluation/candidates_csv.h"
 #include "fild/evaluation/judged_frame.h"
 #include "fild/evaluation/loop_truth.h"
+#include "fild/results/candidates_csv.h"
 
 #include <array>
 #include <cstddef>

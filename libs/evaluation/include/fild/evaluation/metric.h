@@ -47,4 +47,12 @@ struct MetricRange
  *  \param runs  metrics_of() each. */
 std::vector<MetricRange> ranges_of(const std::vector<std::vector<Metric>>& runs);
 
+/** A value as text: whole counts without decimals, others with three (of a mean count: one). Of
+ *  shares only what is perfect reads 1.000, and only what is nothing 0.000. */
+std::string format_value(double value, Metric::Kind kind);
+
+/** The mean, with the least and the greatest value if there are several runs: `0.5 [0.4, 0.6]`; `-`
+ *  without any value. */
+std::string format_range(const MetricRange& range, bool several);
+
 }  // namespace fild

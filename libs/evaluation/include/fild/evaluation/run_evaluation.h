@@ -2,7 +2,6 @@
 #pragma once
 
 #include "fild/core/verdict.h"
-#include "fild/evaluation/candidates_csv.h"
 #include "fild/evaluation/ground_truth.h"
 #include "fild/evaluation/judged_frame.h"
 #include "fild/evaluation/judged_pair.h"
@@ -12,6 +11,7 @@
 #include "fild/evaluation/precision_recall_curve.h"
 #include "fild/evaluation/trajectory_error.h"
 #include "fild/evaluation/worst_wrong_pair.h"
+#include "fild/results/candidates_csv.h"
 
 #include <array>
 #include <cstddef>

@@ -5,8 +5,8 @@
 #include "fild/evaluation/loop_score.h"
 #include "fild/evaluation/protocol.h"
 #include "fild/evaluation/run_evaluation.h"
+#include "fild/evaluation/truth_description.h"
 #include "fild/report/report_options.h"
-#include "fild/report/truth_description.h"
 
 #include <optional>
 #include <string>
