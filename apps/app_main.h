@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "error_line.h"
 #include "fild/core/words.h"
-#include "standard_streams.h"
+#include "fild/job/error_line.h"
+#include "fild/job/standard_streams.h"
+#include "fild/job/wrong_usage.h"
 
 #include <mrpt/3rdparty/tclap/CmdLine.h>
 
@@ -19,13 +20,6 @@
 
 namespace fild
 {
-/** A command line that was typed wrongly. */
-class WrongUsage : public std::invalid_argument
-{
- public:
-    using std::invalid_argument::invalid_argument;
-};
-
 /** Reports wrong usage as an exception; TCLAP itself would print a dozen lines and end the process.
  */
 class ThrowingOutput : public TCLAP::StdOutput

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app_main.h"
-#include "truth.h"
+#include "fild/run/truth.h"
 
 #include <optional>
 #include <string>

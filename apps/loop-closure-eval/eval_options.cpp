@@ -126,7 +126,7 @@ void refuse_beside(const std::string& choice, const Argument&... arguments)
     (refuse(arguments), ...);
 }
 
-void check(const Arguments& a, const EvalOptions& options)
+void check(const Arguments& a, const EvaluationRequest& options)
 {
     if (a.run.isSet() == a.rawlog.isSet()) throw WrongUsage("give either --run or --rawlog");
     if (a.run.isSet())
@@ -178,17 +178,19 @@ std::optional<EvalOptions> parse_eval_options(int argc, char** argv)
     if (!parse_arguments(command, argc, argv)) return std::nullopt;
 
     EvalOptions options;
-    options.runs = arguments.run.getValue();
-    options.truth = *arguments.truth.options();
-    options.truth.protocol.max_angle_deg = arguments.angle.getValue();
-    options.truth.protocol.min_age_seconds = arguments.age.getValue();
-    options.truth.min_age_is_given = arguments.age.isSet();
-    options.trajectories = arguments.trajectory.getValue();
-    options.trajectory_error.align_scale = arguments.align_scale.getValue();
-    if (arguments.step.isSet()) options.trajectory_error.step_lengths = arguments.step.getValue();
+    auto& evaluation = options.evaluation;
+    evaluation.runs = arguments.run.getValue();
+    evaluation.truth = *arguments.truth.options();
+    evaluation.truth.protocol.max_angle_deg = arguments.angle.getValue();
+    evaluation.truth.protocol.min_age_seconds = arguments.age.getValue();
+    evaluation.truth.min_age_is_given = arguments.age.isSet();
+    evaluation.trajectories = arguments.trajectory.getValue();
+    auto& error = evaluation.trajectory_error;
+    error.align_scale = arguments.align_scale.getValue();
+    if (arguments.step.isSet()) error.step_lengths = arguments.step.getValue();
     options.output = arguments.output.getValue();
-    check(arguments, options);
-    if (arguments.rawlog.isSet()) options.sweep = sweep_request_of(arguments, options.truth);
+    check(arguments, evaluation);
+    if (arguments.rawlog.isSet()) options.sweep = sweep_request_of(arguments, evaluation.truth);
     return options;
 }
 

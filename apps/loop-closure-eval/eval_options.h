@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fild/evaluation/trajectory_error.h"
-#include "sweep.h"
-#include "truth.h"
+#include "fild/run/evaluate.h"
+#include "fild/run/sweep.h"
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace fild
 {
 /** The command line of loop-closure-eval. */
 struct EvalOptions
 {
-    std::vector<std::string> runs;  ///< at least one, unless there is a sweep
-    TruthOptions truth;
-    std::vector<std::string> trajectories;  ///< instead of those in the run's folder
-    TrajectoryErrorOptions trajectory_error;
-    std::optional<SweepRequest> sweep;  ///< instead of `runs`
+    EvaluationRequest evaluation;
+    std::optional<SweepRequest> sweep;  ///< instead of `evaluation`
     std::string output;  ///< empty: nothing is written
 };
 

@@ -3,10 +3,9 @@
 // tables and wrong loops out.
 #include "app_main.h"
 #include "eval_options.h"
-#include "evaluate.h"
 #include "fild/evaluation/evaluation_report.h"
 #include "fild/evaluation/sweep_report.h"
-#include "output_folder.h"
+#include "fild/job/output_folder.h"
 
 #include <optional>
 
@@ -16,7 +15,7 @@ constexpr std::size_t kMaxWrongLoopsShown = 20;
 
 void score_runs(const fild::EvalOptions& options)
 {
-    const auto report = fild::evaluate(options);
+    const auto report = fild::evaluate(options.evaluation);
     if (!options.output.empty()) fild::write_evaluation(report, options.output);
     std::cout << fild::to_text(report, kMaxWrongLoopsShown);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // loop-closure-graphslam: MRPT's graph-SLAM engine with visual loop closures, without a window.
 #include "app_main.h"
-#include "engine_run.h"
+#include "fild/graphslam/engine_run.h"
 
 #include <iostream>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // loop-closure-report: makes report.html anew out of the results of a run, or compares two runs.
 #include "app_main.h"
-#include "judged_run.h"
+#include "fild/run/judged_run.h"
 #include "truth_arguments.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 // rawlog-loop-closure: a rawlog in; loop closures, a map, pictures and a summary out.
 #include "app_main.h"
 #include "configuration.h"
-#include "loop_closure_run.h"
+#include "fild/run/loop_closure_run.h"
 #include "truth_arguments.h"
 
 #include <optional>

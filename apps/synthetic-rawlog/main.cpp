@@ -4,11 +4,11 @@
 #include "fild/core/ini_file.h"
 #include "fild/core/whole_file.h"
 #include "fild/core/words.h"
+#include "fild/job/interruption.h"
+#include "fild/job/progress_line.h"
 #include "fild/synthetic/birds_eye.h"
 #include "fild/synthetic/synthetic_recording.h"
 #include "fild/synthetic/town.h"
-#include "interruption.h"
-#include "progress_line.h"
 
 #include <opencv2/imgcodecs.hpp>
 
