@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app_main.h"
-#include "fild/core/words.h"
 #include "fild/rawlog/image_layouts.h"
 #include "fild/rawlog/image_rawlog.h"
 
@@ -19,20 +18,12 @@ struct AppOptions
     bool quiet = false;
 };
 
-/** The words for --format; TCLAP shows them as <list|kitti|...>. */
-class FormatWords : public TCLAP::ValuesConstraint<std::string>
+std::vector<std::string> format_words()
 {
- public:
-    explicit FormatWords(std::vector<std::string> words = all_words()) : ValuesConstraint(words) {}
-
- private:
-    static std::vector<std::string> all_words()
-    {
-        std::vector<std::string> words;
-        for (const auto& [word, layout] : fild::layout_words()) words.push_back(word);
-        return words;
-    }
-};
+    std::vector<std::string> words;
+    for (const auto& [word, layout] : fild::layout_words()) words.push_back(word);
+    return words;
+}
 
 /** An option that need not be given. */
 template <class Value>
@@ -55,13 +46,6 @@ class OptionalArg
  private:
     TCLAP::ValueArg<Value> arg_;
 };
-
-fild::ImageLayout layout_of(const std::string& format)
-{
-    for (const auto& [word, layout] : fild::layout_words())
-        if (word == format) return layout;
-    throw fild::WrongUsage("no such --format: " + format);  // FormatWords let it pass
-}
 
 /** Nothing when --help or --version was all that was asked for.
  *  \throw fild::WrongUsage */
@@ -86,7 +70,8 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     OptionalArg<double> rate(command, "rate", "Images per second, from time 0", "HZ");
     Text stamps(
         "", "timestamps", "File with one number of seconds a line", false, "", "FILE", command);
-    FormatWords formats;
+    auto words = format_words();
+    TCLAP::ValuesConstraint<std::string> formats(words);
     Text format("", "format", "Layout of the recording on disk", false, "list", &formats, command);
     Text output("", "output", "To write; must not exist yet", true, "", "NAME.rawlog", command);
     Text images("", "images", "Folder of images or of the format's sequence", true, "", "DIR");
@@ -95,7 +80,7 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     if (!fild::parse_arguments(command, argc, argv)) return std::nullopt;
 
     AppOptions options;
-    options.input.layout = layout_of(format.getValue());
+    options.input.layout = fild::layout_named(format.getValue());
     options.input.images_dir = images.getValue();
     if (list.isSet()) options.input.list_path = list.getValue();
     options.input.timestamps = {stamps.getValue(), rate.get()};
@@ -108,25 +93,13 @@ std::optional<AppOptions> parse_command_line(int argc, char** argv)
     return options;
 }
 
-void print(const fild::ImageRawlogSummary& summary, const AppOptions& options)
-{
-    std::cout << options.output.rawlog_path << ": " << fild::count_of(summary.frames, "frame")
-              << " of " << fild::count_of(summary.images, "image");
-    if (summary.depth_images != 0)
-        std::cout << " and " << fild::count_of(summary.depth_images, "depth image");
-    std::cout << ", " << (summary.images_dir.empty() ? "embedded" : "in " + summary.images_dir)
-              << "\n";
-    if (!summary.ground_truth_path.empty())
-        std::cout << "ground truth: " << summary.ground_truth_path << "\n";
-}
-
 void run(const AppOptions& options)
 {
     const auto recording = fild::as_usage([&] { return fild::read_recording(options.input); });
     const auto summary =
         fild::as_usage([&] { return fild::write_image_rawlog(recording, options.output); });
     if (options.quiet) return;
-    print(summary, options);
+    std::cout << options.output.rawlog_path << ": " << to_text(summary) << "\n";
     for (const auto& what : recording.left_out) std::cout << "left out: " << what << "\n";
 }
 

@@ -602,8 +602,8 @@ TEST(LoopDetector, KeepsTheNumberOfAFrameThatCannotBeUsed)
 }
 
 /** Places 0, 1, 2, ..., and those again, each seen by two cameras: LEFT a second after the place
- *  before, RIGHT, which sees something else there, with a stamp that is a little older. Every second
- *  outcome is one of LEFT. */
+ *  before, RIGHT, which sees something else there, with a stamp that is a little older. Every
+ *  second outcome is one of LEFT. */
 std::vector<fild::DetectorOutcome> drive_with_two_cameras(const fild::TDetectorOptions& options,
                                                           std::uint64_t places)
 {
@@ -660,7 +660,8 @@ TEST(LoopDetector, CountsTheFramesInARowOfEachCamera)
                 testing::ElementsAre(14, 15, 16, 17, 18, 19, 20, 21, 22, 23));
 }
 
-// All eight frames that are old enough are nearest neighbours: four of each camera, one after the other.
+// All eight frames that are old enough are nearest neighbours: four of each camera, one after the
+// other.
 TEST(LoopDetector, CountsTheFramesOfAPlaceOfEachCamera)
 {
     auto options = options_with_delay(5);

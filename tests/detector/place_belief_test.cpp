@@ -120,8 +120,8 @@ TEST(PlaceBelief, DoesNotBelieveARowOfLookAlikesForOneFrameThatConvinces)
     EXPECT_FALSE(belief.likeliest());
 }
 
-/** Bushes that match worse than walls do, in the middle of a sure return: the camera has not left for a
- *  look-alike beside it. */
+/** Bushes that match worse than walls do, in the middle of a sure return: the camera has not left
+ *  for a look-alike beside it. */
 TEST(PlaceBelief, KeepsToAReturnWhereTheViewMatchesWorseForAWhile)
 {
     auto belief = belief_of(200);

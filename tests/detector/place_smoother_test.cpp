@@ -255,7 +255,8 @@ TEST(PlaceSmoother, LetsFramesWithoutAnyPlaceSpeakAgainstTheConvincingOneBeforeT
     EXPECT_LT(judged.with_later_frames, 0.99);
 }
 
-// As in a corridor that looks alike all along: then comes a clear return, but to another part of it.
+// As in a corridor that looks alike all along: then comes a clear return, but to another part of
+// it.
 TEST(PlaceSmoother, DoesNotLetAReturnElsewhereVouchForLookAlikes)
 {
     std::vector<ComparedPlace> places;

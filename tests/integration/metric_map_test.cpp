@@ -629,8 +629,8 @@ TEST_F(MetricMapPictures, AreDrawn)
     EXPECT_FALSE(has("matches/8_0.jpg")) << "nothing is drawn";
 }
 
-/** Where the robot of a WallDrive truly was, as lines of a TUM file; every other frame is said to be
- *  `aside` metres to the left of that, the frames between them to the right. */
+/** Where the robot of a WallDrive truly was, as lines of a TUM file; every other frame is said to
+ *  be `aside` metres to the left of that, the frames between them to the right. */
 std::string true_path(double aside)
 {
     std::ostringstream text;

@@ -552,7 +552,8 @@ TEST_F(RawlogLoopClosure, MatchesNoPatternWithAnEndlessLabel)
     EXPECT_LT(error("--set 'input.sensor_label=" + value + "'", 2).size(), 500U);
 }
 
-// Camera B sees the images of A mirrored, a tenth of a second later than A: no place of A is one of B.
+// Camera B sees the images of A mirrored, a tenth of a second later than A: no place of A is one of
+// B.
 TEST_F(RawlogLoopClosure, LooksAtTwoCamerasWhenAskedTo)
 {
     Objects objects;

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gps_priors.h"
 
+#include "fild/core/cancellation.h"
+#include "motion_estimate.h"
+
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -72,5 +80,35 @@ TEST(GpsPriors, LeaveOutFixesThatNoKeyframeIsNear)
     const auto motion = slow_drive(20, 1);
     EXPECT_TRUE(priors_of(fixes_of(motion, 20, 100), motion, {FrameId{0}}, kMaxGap, 1).empty());
     EXPECT_EQ(priors_of(fixes_of(motion, 20, 0.5), motion, {FrameId{0}}, kMaxGap, 1).size(), 1U);
+}
+
+// Where frames stand exactly as far apart as keyframes must, rounding decides, and a way that is
+// turned into the map has other keyframes.
+TEST(MotionEstimate, KeepsFixesOfFramesThatAreNoKeyframesInTheMap)
+{
+    constexpr std::size_t kFrames = 40;
+    std::vector<Trajectory::Frame> frames;
+    fild::GpsRecord gps;
+    gps.tracks.emplace_back();
+    auto& track = gps.tracks.back();
+    for (std::size_t i = 0; i < kFrames; ++i)
+    {
+        const auto metres = static_cast<double>(i);
+        Trajectory::Frame frame{FrameId{i}, metres, {}};
+        frame.at.map_from_robot.translation = {metres, 0, 0};
+        frames.push_back(frame);
+        track.frames.push_back({frame.id, frame.timestamp});
+        track.positions.push_back(
+            {frame.timestamp, {metres * std::cos(0.5), metres * std::sin(0.5), 0}, 0.02, {}});
+    }
+    track.runs = {{0, kFrames}};
+    fild::TGraphOptions options;
+    options.keyframe_distance_m = 1;
+    const auto estimate = fild::estimate_motion(
+        {std::move(frames), {}}, {{}, {}}, gps, options, fild::never_cancelled);
+    ASSERT_EQ(estimate.way.poses().size(), kFrames);
+    const auto end = estimate.way.poses().back().map_from_robot;
+    EXPECT_NEAR(end.x(), (kFrames - 1) * std::cos(0.5), 0.1);
+    EXPECT_NEAR(end.y(), (kFrames - 1) * std::sin(0.5), 0.1);
 }
 }  // namespace

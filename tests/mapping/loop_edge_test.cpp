@@ -23,7 +23,8 @@ UncertainTransform uncertain(const RigidTransform& b_from_a, double deviation)
     return result;
 }
 
-/** (x y z yaw pitch roll) of the robot's motion when error number `error` of the cameras' is `size`. */
+/** (x y z yaw pitch roll) of the robot's motion when error number `error` of the cameras' is
+ *  `size`. */
 cv::Vec6d robot_errors(RigidTransform cameras, int error, double size, const MetricView& view)
 {
     cv::Vec3d change;

@@ -180,6 +180,17 @@ TEST(MotionSources, LeaveOutAnotherHemisphere)
     EXPECT_LT(fild::testing::error_of(map.optimized), 0.3);
 }
 
+TEST(MotionSources, AreChosenAlikeWithoutRobustWeights)
+{
+    Receiver receiver;
+    receiver.noise_m = 3;  // and says 2 cm
+    auto recorded = with({receiver});
+    recorded.graph.robust_weights = false;
+    const auto map = map_of(recorded);
+    EXPECT_THAT(source(map, "GPS").left_out, HasSubstr("contradict the robot's motion"));
+    EXPECT_LT(fild::testing::error_of(map.optimized), 0.3);
+}
+
 TEST(MotionSources, LeaveOutReceiversWithoutAFix)
 {
     Receiver receiver;

@@ -34,6 +34,7 @@ struct Recorded
     bool calibration = true;
     std::function<void(MapBuilder&, std::size_t frame)> feed_more{};  ///< before each frame
     std::function<void(MapBuilder&, const DetectorOutcome&)> add_more{};  ///< after each outcome
+    TGraphOptions graph{};
 };
 
 /** The two laps. */
@@ -175,13 +176,13 @@ Map map_of(
     const Recorded& recorded,
     const TDetectorOptions& options,
     Change&& change,
-    const GoOn& go_on = [] {})
+    const CheckCancelled& check_cancelled = [] {})
 {
     const PointWorld world;
     PlaceMap places;
     LoopDetector detector(options, kDescriptorLength, places);
     const LoopPoses poses(options);
-    MapBuilder builder(options, TGraphOptions());
+    MapBuilder builder(options, recorded.graph);
     StageTimes times;
     const auto add = [&](DetectorOutcome& outcome)
     {
@@ -202,7 +203,7 @@ Map map_of(
         }
     }
     for (auto& outcome : detector.finish(times)) add(outcome);
-    return builder.build(places, times, go_on);
+    return builder.build(places, times, check_cancelled);
 }
 
 inline Map map_of(const Recorded& recorded, const TDetectorOptions& options = detector_options())

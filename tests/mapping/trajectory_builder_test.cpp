@@ -427,6 +427,21 @@ TEST(TrajectoryBuilder, ModelIsThatOfTheOptions)
     EXPECT_NEAR(deviation(11, 12, 0), 0.005, 1e-6) << "standing still";
 }
 
+TEST(TrajectoryBuilder, DoesNotCountAGapAsDriven)
+{
+    TGraphOptions options;
+    options.drift_percent = 2;
+    TrajectoryBuilder builder(options);
+    builder.feed(odometry_at(0, CPose2D(0, 0, 0)));
+    for (int i = 0; i <= 10; ++i) builder.feed(odometry_at(100 + i, CPose2D(i, 0, 0)));
+    builder.feed(odometry_at(210, CPose2D(10, 0, 0)));
+    builder.add_frame(FrameId{0}, 110);
+    builder.add_frame(FrameId{1}, 210);
+    const auto motion = builder.build().motion(FrameId{0}, FrameId{1});
+    ASSERT_TRUE(motion);
+    EXPECT_NEAR(std::sqrt(motion->covariance(0, 0)), 2, 0.1) << "100 s at 1 m/s, of which 2 %";
+}
+
 TEST(TrajectoryBuilder, ActionsThatLeadTooFarBeginASegment)
 {
     TrajectoryBuilder builder({});

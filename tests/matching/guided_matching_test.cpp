@@ -78,8 +78,8 @@ HashedFeatures query()
     return features;
 }
 
-/** The query's keypoints where they have moved to, in their order; with `repeats` each stands a second
- *  time, just as well, four rows away. */
+/** The query's keypoints where they have moved to, in their order; with `repeats` each stands a
+ *  second time, just as well, four rows away. */
 HashedFeatures candidate(bool repeats = false)
 {
     auto features = without_keypoints(cell_codes(moved(random_cells(1), kShift)));

@@ -24,7 +24,8 @@ namespace fild::testing
 {
 const auto kTestProcess = ::getpid();
 
-/** Reading it in a fork of the test runs a function, which may wait for a lock as a library's code may. */
+/** Reading it in a fork of the test runs a function, which may wait for a lock as a library's code
+ *  may. */
 class WaitingObservation : public mrpt::obs::CObservation
 {
     DEFINE_SERIALIZABLE(WaitingObservation, fild::testing)

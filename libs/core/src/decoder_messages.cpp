@@ -74,8 +74,8 @@ void print(std::string_view text)
     }
 }
 
-/** The process's standard error stream, which leads to a file in memory while anybody asks for that.
- *  Where the system gives no such file nothing is kept. Thread-safe. */
+/** The process's standard error stream, which leads to a file in memory while anybody asks for
+ *  that. Where the system gives no such file nothing is kept. Thread-safe. */
 class StandardError
 {
  public:

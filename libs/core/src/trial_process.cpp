@@ -73,8 +73,8 @@ std::size_t data_bytes()
     return statm_bytes(5);
 }
 
-/** What comes before the text that a trial writes to its pipe. The exit status would not do: a program
- *  that ignores SIGCHLD never learns it. */
+/** What comes before the text that a trial writes to its pipe. The exit status would not do: a
+ *  program that ignores SIGCHLD never learns it. */
 struct ReportHeader
 {
     enum class Kind : std::uint8_t
@@ -164,8 +164,8 @@ struct Activity
     unsigned long ticks = 0;  ///< of computing
 };
 
-/** Whether a process that sleeps waits for another thread, and not for a file or a clock. True when the
- *  system does not tell. */
+/** Whether a process that sleeps waits for another thread, and not for a file or a clock. True when
+ *  the system does not tell. */
 bool sleeps_for_thread(pid_t process)
 {
     std::ifstream file("/proc/" + std::to_string(process) + "/wchan");

@@ -61,8 +61,8 @@ void PlaceBelief::move(std::vector<Entrance>& entrances)
     {
         const auto share = 1 / static_cast<double>(entrances.size());
         was_near = sum_around(sums_of_same, i, options_.near_places);
-        // A jump from far away may end at a look-alike, and so may a return from new ground, unless the
-        // camera was near just before: then it has only lost sight of the place.
+        // A jump from far away may end at a look-alike, and so may a return from new ground, unless
+        // the camera was near just before: then it has only lost sight of the place.
         const double from_near = (jump + entering) * was_near;
         const double from_far =
             entering * (1 - was_near) + jump * std::max(0.0, all_same - was_near);

@@ -181,7 +181,8 @@ std::vector<Candidate> PlaceRecognizer::search(const GlobalDescriptor& query,
     return index_->search(query, std::max(wanted, std::min(kToldAnswers, width)));
 }
 
-/** The nearest neighbours; with best_by_cells those that agree with the query in most cells first. */
+/** The nearest neighbours; with best_by_cells those that agree with the query in most cells first.
+ *  */
 std::vector<Candidate> PlaceRecognizer::in_order_of_promise(const CellCodes& query,
                                                             std::vector<Candidate> answers,
                                                             StageTimes& times) const

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forward-backward smoothing: Rabiner, "A tutorial on hidden Markov models", Proc. IEEE 1989, III-A.
+// Forward-backward smoothing: Rabiner, "A tutorial on hidden Markov models", Proc. IEEE 1989,
+// III-A.
 #include "fild/detector/place_smoother.h"
 
 namespace fild
@@ -37,9 +38,9 @@ PlaceStates PlaceSmoother::oldest() const
     return states;
 }
 
-/** What is to come, as seen from each state before the move: the transpose of PlaceBelief::move(), but for
- *  jumps from a look-alike. Those may end at the place, too: else a clear return would vouch for all that
- *  was taken for a place anywhere before it. */
+/** What is to come, as seen from each state before the move: the transpose of PlaceBelief::move(),
+ *  but for jumps from a look-alike. Those may end at the place, too: else a clear return would
+ *  vouch for all that was taken for a place anywhere before it. */
 PlaceStates PlaceSmoother::move_back(const PlaceStates& later, const PlaceEvidence& evidence) const
 {
     const auto& entrances = evidence.entrances;

@@ -49,8 +49,8 @@ struct PlotText
 /** The text with what means something in XML escaped. */
 std::string xml_escaped(const std::string& text);
 
-/** A drawing of few kinds of things that can be written as SVG and as PNG. Lengths are pixels of the
- *  SVG. Not thread-safe: one caller at a time. */
+/** A drawing of few kinds of things that can be written as SVG and as PNG. Lengths are pixels of
+ *  the SVG. Not thread-safe: one caller at a time. */
 class VectorPlot
 {
  public:

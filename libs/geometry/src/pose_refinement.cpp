@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_refinement.h"
 
+#include "fild/core/upper_median.h"
+
 #include <opencv2/core.hpp>
 
 #include <algorithm>
@@ -46,13 +48,6 @@ bool agrees(const PoseResidual& residual, const MeasuredNoise& noise)
            (residual.has_depth_equation ? kTail3 : kTail2);
 }
 
-double median_of(std::vector<double>& values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /** The deviation at which the median of `normalised(deviation)`, which falls, is as expected. */
 template <class Normalised>
 double deviation_at_median(const Normalised& normalised, double expected, double low, double high)
@@ -61,8 +56,7 @@ double deviation_at_median(const Normalised& normalised, double expected, double
     for (int i = 0; i < kHalvings; ++i)
     {
         const double middle = std::sqrt(low * high);
-        auto values = normalised(middle);
-        (median_of(values) > expected ? low : high) = middle;
+        (upper_median(normalised(middle)) > expected ? low : high) = middle;
     }
     return std::sqrt(low * high);
 }

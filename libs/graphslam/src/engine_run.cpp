@@ -149,6 +149,13 @@ class EngineRun
     }
 
  private:
+    /** Those of the rawlog that the engine is given. */
+    struct Entries
+    {
+        mrpt::obs::CActionCollection::Ptr actions;  ///< of the next step; none: it has no actions
+        mrpt::obs::CSensoryFrame::Ptr observations;  ///< after them
+        std::size_t count = 0;
+    };
     static constexpr mrpt::graphslam::CWindowManager* kNoWindow = nullptr;
     using EdgeDecider = mrpt::graphslam::deciders::CEdgeRegistrationDecider<Graph>;
 
@@ -184,21 +191,21 @@ class EngineRun
         if (actions && actions->size() > 0)
         {
             step_with_actions();
-            actions_ = std::move(actions);
-            observations_ = mrpt::obs::CSensoryFrame::Create();
+            entries_.actions = std::move(actions);
+            entries_.observations = mrpt::obs::CSensoryFrame::Create();
         }
-        else if (observation && actions_)
-            observations_->insert(observation);
+        else if (observation && entries_.actions)
+            entries_.observations->insert(observation);
         else if (observation)
-            engine_.execGraphSlamStep(observation, entry_);
+            engine_.execGraphSlamStep(observation, entries_.count);
     }
 
     void step_with_actions()
     {
-        if (!actions_) return;
+        if (!entries_.actions) return;
         mrpt::obs::CObservation::Ptr none;
-        engine_._execGraphSlamStep(actions_, observations_, none, entry_);
-        actions_.reset();
+        engine_._execGraphSlamStep(entries_.actions, entries_.observations, none, entries_.count);
+        entries_.actions.reset();
     }
 
     void write(const OutputFolder& folder) const
@@ -224,9 +231,7 @@ class EngineRun
     mrpt::graphslam::deciders::CEmptyERD<Graph> none_;
     CWholeGraphGSO<Graph> optimizer_;
     CSilentEngine<Graph> engine_;
-    mrpt::obs::CActionCollection::Ptr actions_;
-    mrpt::obs::CSensoryFrame::Ptr observations_;
-    std::size_t entry_ = 0;
+    Entries entries_;
 };
 
 template <class Graph>

@@ -59,13 +59,14 @@ void NodeLoops::feed(const mrpt::obs::CObservation& observation)
 void NodeLoops::add(const FedFrame& fed)
 {
     ++report_.camera_frames;
-    frames_[fed.frame] = {add_moment(fed.timestamp), nodes_.size()};
+    const auto moment = add_moment(fed.timestamp);
+    frames_[fed.frame] = {moment, nodes_.size()};
     for (const auto& outcome : fed.decided) add_outcome(outcome);
 }
 
 NodeLoops::Moment NodeLoops::add_moment(double timestamp)
 {
-    const Moment moment{FrameId{moments_++}, timestamp};
+    const Moment moment{FrameId{nodes_.size() + frames_.size()}, timestamp};
     trajectory_.add_frame(moment.id, timestamp);
     return moment;
 }

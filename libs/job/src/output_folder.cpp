@@ -50,10 +50,7 @@ bool is_file_of(int descriptor, const std::string& name)
 
 OutputFolder::OutputFolder(std::string path) : path_(std::move(path)), lock_file_(file(".lock"))
 {
-    std::error_code error;
-    std::filesystem::create_directories(path_, error);
-    if (error)
-        throw std::runtime_error("cannot make the output folder " + path_ + ": " + error.message());
+    make_folder(path_);
     // A run that ends removes its lock file, maybe after this one has opened it.
     constexpr int kTries = 10;
     for (int i = 0; i < kTries && !is_file_of(lock_, lock_file_); ++i)

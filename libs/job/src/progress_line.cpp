@@ -10,27 +10,34 @@
 namespace fild
 {
 ProgressLine::ProgressLine(bool quiet, std::string found)
-    : quiet_(quiet), found_(std::move(found)), on_terminal_(::isatty(STDERR_FILENO) == 1)
+    : output_(output_for(quiet)), found_(std::move(found))
 {
+}
+
+ProgressLine::Output ProgressLine::output_for(bool quiet)
+{
+    if (quiet) return Output::none;
+    return ::isatty(STDERR_FILENO) == 1 ? Output::terminal : Output::file;
 }
 
 void ProgressLine::update(double fraction, std::size_t frames, std::size_t found)
 {
     if (first_fraction_ < 0) first_fraction_ = fraction;
-    if (quiet_ || !is_due(fraction)) return;
+    if (output_ == Output::none || !is_due(fraction)) return;
+    const bool on_terminal = output_ == Output::terminal;
     const double elapsed = seconds();
     const double done = fraction - first_fraction_;
     const double left = done > 0 ? elapsed * (1 - fraction) / done : 0;
     std::fprintf(stderr,
                  "%s%3.0f %%  frame %zu  %.1f frames/s  %zu %s  %.0f s left%s",
-                 on_terminal_ ? "\r\033[K" : "",
+                 on_terminal ? "\r\033[K" : "",
                  100 * fraction,
                  frames,
                  static_cast<double>(frames) / std::max(elapsed, 1e-3),
                  found,
                  found_.c_str(),
                  left,
-                 on_terminal_ ? "" : "\n");
+                 on_terminal ? "" : "\n");
     std::fflush(stderr);
     written_ = true;
 }
@@ -39,7 +46,7 @@ bool ProgressLine::is_due(double fraction)
 {
     constexpr double kSecondsBetween = 0.2;
     constexpr double kFractionBetween = 0.05;
-    if (on_terminal_)
+    if (output_ == Output::terminal)
     {
         if (seconds() < next_seconds_) return false;
         next_seconds_ = seconds() + kSecondsBetween;
@@ -52,7 +59,7 @@ bool ProgressLine::is_due(double fraction)
 
 ProgressLine::~ProgressLine()
 {
-    if (on_terminal_ && written_) std::fputs("\n", stderr);
+    if (output_ == Output::terminal && written_) std::fputs("\n", stderr);
 }
 
 double ProgressLine::seconds() const

@@ -2,6 +2,7 @@
 #include "dead_reckoning.h"
 
 #include "fild/core/angle.h"
+#include "plausible_speed.h"
 #include "wheel_model.h"
 
 #include <algorithm>
@@ -36,11 +37,10 @@ void Driven::add(const Rigid& movement, double elapsed)
 
 bool DeadReckoning::is_too_fast(const Rigid& before, const Rigid& now, double seconds) const
 {
-    constexpr double kJitter = 1;  // m, where two time stamps are too close
     const auto& last = clock_.last();
     const double elapsed = last && seconds > *last ? seconds - *last : options_.max_gap_s;
     const double moved = (now.translation - before.translation).norm();
-    return moved > options_.max_speed_m_per_s * elapsed + kJitter;
+    return fild::is_too_fast(moved, elapsed, options_.max_speed_m_per_s);
 }
 
 bool DeadReckoning::is_reset(const Rigid& before, const Rigid& now, double seconds) const

@@ -38,7 +38,8 @@ class DeadReckoning
      *  finite. */
     bool add_movement(const MovementReading& reading);
 
-    /** The pose that movements led to was reached now. \return false when the time stamp is late. */
+    /** The pose that movements led to was reached now. \return false when the time stamp is late.
+     *  */
     bool place(double seconds);
 
     void count_unusable() { ++unusable_; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gps_priors.h"
 
-#include "upper_median.h"
+#include "fild/core/upper_median.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -67,8 +67,8 @@ std::optional<std::size_t> next_in_segment(const std::vector<Trajectory::Frame>&
     return next;
 }
 
-/** The robot's movement in `seconds` after a frame, in its axes there; nothing when the motion does not
- *  tell. */
+/** The robot's movement in `seconds` after a frame, in its axes there; nothing when the motion does
+ *  not tell. */
 std::optional<Rigid> movement_after(const Trajectory& motion, std::size_t frame, double seconds)
 {
     constexpr double kSameMoment = 0.01;  // s

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gps_recorder.h"
 
+#include "fild/core/upper_median.h"
 #include "sensor_name.h"
-#include "upper_median.h"
 
 #include <algorithm>
 #include <limits>

@@ -28,8 +28,8 @@ class GpsRecorder
     /** A camera frame at its place among the observations. */
     void add_frame(FrameId frame, double timestamp);
 
-    /** The map's origin is the first plausible fix of the best receiver; (0, 0) when no receiver has
-     *  one. A receiver is there even if it never had a fix. */
+    /** The map's origin is the first plausible fix of the best receiver; (0, 0) when no receiver
+     *  has one. A receiver is there even if it never had a fix. */
     GpsRecord build() const;
 
  private:

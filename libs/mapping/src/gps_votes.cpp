@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gps_votes.h"
 
-#include "upper_median.h"
+#include "fild/core/upper_median.h"
 
 #include <algorithm>
 #include <cmath>

@@ -167,17 +167,20 @@ void MapBuilder::add(const DetectorOutcome& outcome)
     if (loops_.back().pose) loops_.back().pose->inliers = {};  // no longer needed
 }
 
-Map MapBuilder::build(const PlaceMap& places, StageTimes& times, const GoOn& go_on) const
+Map MapBuilder::build(const PlaceMap& places,
+                      StageTimes& times,
+                      const CheckCancelled& check_cancelled) const
 {
-    go_on();
+    check_cancelled();
     const auto wanted = graph_options_.sources();
     const auto odometry = wanted.odometry ? recorder_.odometry() : Trajectory({}, {});
     const auto gps = wanted.gps ? recorder_.gps() : GpsRecord();
-    const auto vision = wanted.vision ? image_motion(places, times, go_on) : Trajectory({}, {});
+    const auto vision =
+        wanted.vision ? image_motion(places, times, check_cancelled) : Trajectory({}, {});
     const auto estimate = [&]
     {
         const StageTimer timer(times, "trajectory");
-        return estimate_motion(odometry, vision, gps, graph_options_, go_on);
+        return estimate_motion(odometry, vision, gps, graph_options_, check_cancelled);
     }();
     Map map{estimate.way};
     map.trajectory_source = source_of(estimate);
@@ -191,24 +194,26 @@ Map MapBuilder::build(const PlaceMap& places, StageTimes& times, const GoOn& go_
     if (detector_options_.relative_pose.enabled && !compared.poses().empty())
     {
         map.compared_source = compared.report().source;
-        map.agreement = compare_motions(places, compared, detector_options_, times, go_on);
+        map.agreement =
+            compare_motions(places, compared, detector_options_, times, check_cancelled);
     }
     map.loops.reserve(loops_.size());
     for (const auto& loop : loops_) map.loops.push_back(edge_of(loop, places));
-    if (detector_options_.relative_pose.enabled) scale_by_motion(map, places, times, go_on);
+    if (detector_options_.relative_pose.enabled)
+        scale_by_motion(map, places, times, check_cancelled);
     withhold_repetitions(map.loops, places);
-    go_on();
+    check_cancelled();
     const StageTimer timer(times, "graph");
-    solve(map, estimate, go_on);
+    solve(map, estimate, check_cancelled);
     return map;
 }
 
 Trajectory MapBuilder::image_motion(const PlaceMap& places,
                                     StageTimes& times,
-                                    const GoOn& go_on) const
+                                    const CheckCancelled& check_cancelled) const
 {
     const auto motions = visual_odometry(
-        places, end_, detector_options_, graph_options_.max_speed_m_per_s, times, go_on);
+        places, end_, detector_options_, graph_options_.max_speed_m_per_s, times, check_cancelled);
     const auto trajectory = trajectory_from_motions(motions);
     auto report = trajectory.report();
     report.source = motions.empty() ? "" : "images";
@@ -228,7 +233,7 @@ LoopEdge MapBuilder::edge_of(const Loop& loop, const PlaceMap& places) const
 void MapBuilder::scale_by_motion(Map& map,
                                  const PlaceMap& places,
                                  StageTimes& times,
-                                 const GoOn& go_on) const
+                                 const CheckCancelled& check_cancelled) const
 {
     std::vector<std::size_t> without_depth;
     for (std::size_t i = 0; i < map.loops.size(); ++i)
@@ -247,7 +252,7 @@ void MapBuilder::scale_by_motion(Map& map,
     timed_parallel_for(num_threads,
                        frames.size(),
                        times,
-                       go_on,
+                       check_cancelled,
                        [&](std::size_t i, StageTimes& own_times)
                        { depths[i] = scale.depths_of(frames[i], own_times); });
     std::map<FrameId, const KeypointDepths*> depths_of;
@@ -260,7 +265,7 @@ void MapBuilder::scale_by_motion(Map& map,
     timed_parallel_for(num_threads,
                        without_depth.size(),
                        times,
-                       go_on,
+                       check_cancelled,
                        [&](std::size_t i, StageTimes& own_times)
                        {
                            auto& edge = map.loops[without_depth[i]];
@@ -275,7 +280,9 @@ void MapBuilder::scale_by_motion(Map& map,
                        });
 }
 
-void MapBuilder::solve(Map& map, const MotionEstimate& estimate, const GoOn& go_on) const
+void MapBuilder::solve(Map& map,
+                       const MotionEstimate& estimate,
+                       const CheckCancelled& check_cancelled) const
 {
     std::vector<LoopMeasurement> measured;
     std::vector<LoopEdge*> edges;
@@ -297,7 +304,7 @@ void MapBuilder::solve(Map& map, const MotionEstimate& estimate, const GoOn& go_
     scale_noise(built.graph, map, edges);
     const auto priors = estimate.priors(frames_of(built.graph), graph_options_.max_gap_s);
     built.graph.priors = joined(priors);
-    const auto solution = solve_graph(built.graph, graph_options_, go_on);
+    const auto solution = solve_graph(built.graph, graph_options_, check_cancelled);
     count_priors(priors, solution, map.sources);
     for (std::size_t i = 0; i < edges.size(); ++i) edges[i]->result = solution.loops[i];
     map.graph = solved_graph(built.graph, solution);

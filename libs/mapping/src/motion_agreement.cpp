@@ -207,7 +207,7 @@ MotionAgreement compare_motions(const PlaceMap& places,
                                 const Trajectory& trajectory,
                                 const TDetectorOptions& options,
                                 StageTimes& times,
-                                const GoOn& go_on)
+                                const CheckCancelled& check_cancelled)
 {
     constexpr std::size_t kPairs = 50;
     const StageTimer timer(times, "motion_agreement");
@@ -219,7 +219,7 @@ MotionAgreement compare_motions(const PlaceMap& places,
     timed_parallel_for(options.runtime.num_threads,
                        pairs.size(),
                        times,
-                       go_on,
+                       check_cancelled,
                        [&](std::size_t i, StageTimes& own_times)
                        { comparisons[i] = compare(pairs[i], poses, own_times); });
     return summary_of(comparisons);

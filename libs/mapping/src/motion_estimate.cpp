@@ -97,7 +97,8 @@ Placement solve_placement(const Trajectory& motion,
                           const CheckCancelled& check_cancelled)
 {
     auto built = build_pose_graph(motion, {}, options);
-    // Where frames stand exactly as far apart as keyframes must, a turned motion has other keyframes.
+    // Where frames stand exactly as far apart as keyframes must, a turned motion has other
+    // keyframes.
     const auto frames = frames_of(built.graph);
     std::copy_if(priors.begin(),
                  priors.end(),
@@ -116,7 +117,8 @@ double share_with_weight(const std::vector<PriorResult>& priors)
     return static_cast<double>(count) / static_cast<double>(priors.size());
 }
 
-/** False where positions turned the robot over: mirrored ones fit a robot that drives on its roof. */
+/** False where positions turned the robot over: mirrored ones fit a robot that drives on its roof.
+ *  */
 bool keeps_its_wheels_down(const Trajectory& placed, const Trajectory& way)
 {
     constexpr double kCosine = 0.7;
@@ -141,7 +143,8 @@ class ReceiverChoice
         for (const auto frame : select_keyframes(motion, options)) keyframes_.insert(frame);
     }
 
-    /** The receiver by itself: the smallest scale with which most of its positions fit the motion. */
+    /** The receiver by itself: the smallest scale with which most of its positions fit the motion.
+     *  */
     void judge(const GpsTrack& track)
     {
         constexpr double kMost = 0.7;

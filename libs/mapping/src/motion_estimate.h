@@ -38,8 +38,8 @@ struct MotionEstimate
 
 std::vector<GraphPrior> joined(const std::vector<std::vector<GraphPrior>>& priors);
 
-/** Joins odometry and the images' motion, see fused_motion(), each with its noise_scales(), and places
- *  them by the receivers. Without either the most certain receiver gives the motion, too.
+/** Joins odometry and the images' motion, see fused_motion(), each with its noise_scales(), and
+ *  places them by the receivers. Without either the most certain receiver gives the motion, too.
  *
  *  A receiver is left out when none of its fixes is at the time of a frame; when it contradicts the
  *  more certain ones, or more receivers than it agrees with; and when less than half of its

@@ -25,9 +25,9 @@ double length_ratio(const Trajectory& odometry, const Trajectory& vision);
 
 /** The motions from frame to frame, by both sources where both know them: their mean, each with the
  *  weight of its covariance. Where the two contradict each other (0.999 of chi2 with 6 degrees of
- *  freedom) each may be wrong by all of the difference: it is added to both covariances. A frame between two frames of the images'
- *  chain, such as one of another camera, is where the odometry says, and its share of the way is
- *  corrected.
+ *  freedom) each may be wrong by all of the difference: it is added to both covariances. A frame
+ *  between two frames of the images' chain, such as one of another camera, is where the odometry
+ *  says, and its share of the way is corrected.
  *  \param odometry_variance_scale,vision_variance_scale  factors of the covariances. */
 FusedMotion fused_motion(const Trajectory& odometry,
                          double odometry_variance_scale,

@@ -24,8 +24,8 @@ struct NoiseScales
  *  fewer than five stretches are not looked at. */
 NoiseScales noise_scales(const Trajectory& odometry, const Trajectory& vision);
 
-/** The factor of standard deviations that makes squared errors as large as those of chi2 are, by one
- *  of their quantiles: the smaller it is, the more of them may be gross.
+/** The factor of standard deviations that makes squared errors as large as those of chi2 are, by
+ *  one of their quantiles: the smaller it is, the more of them may be gross.
  *  \param quantile  in (0, 1). \return in [1, kLargestNoiseScale]; 1 for fewer than five. */
 double noise_scale_of(std::vector<double> squared_errors,
                       int degrees_of_freedom,

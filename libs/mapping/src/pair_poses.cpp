@@ -46,7 +46,7 @@ TDetectorOptions without_doubt(const TDetectorOptions& options)
 void timed_parallel_for(int num_threads,
                         std::size_t count,
                         StageTimes& times,
-                        const GoOn& go_on,
+                        const CheckCancelled& check_cancelled,
                         const std::function<void(std::size_t, StageTimes&)>& body)
 {
     std::vector<StageTimes> own_times(count);
@@ -54,7 +54,7 @@ void timed_parallel_for(int num_threads,
                  count,
                  [&](std::size_t i)
                  {
-                     go_on();
+                     check_cancelled();
                      body(i, own_times[i]);
                  });
     for (const auto& own : own_times) times.merge(own);

@@ -61,8 +61,8 @@ struct TrajectoryBuilder::State
     void forget_readings();
 };
 
-/** Frames that come later need the readings since the last frame, and a late camera some before it. Frames
- *  that are there keep what they found at the others. */
+/** Frames that come later need the readings since the last frame, and a late camera some before it.
+ *  Frames that are there keep what they found at the others. */
 void TrajectoryBuilder::State::forget_readings()
 {
     constexpr std::size_t kLateReadings = 10000;

@@ -4,6 +4,7 @@
 #include "fild/mapping/loop_edge.h"
 #include "fild/mapping/motion_scale.h"
 #include "fild/mapping/pair_poses.h"
+#include "plausible_speed.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -76,18 +77,14 @@ class FrameMotions
         if (!pose.candidate_from_query) return std::nullopt;
         auto motion = robot_motion(*pose.candidate_from_query, candidate.metric, query.metric);
         const double elapsed = query.timestamp - candidate.timestamp;
-        if (!motion || is_too_fast(motion->a_from_b.norm(), elapsed)) return std::nullopt;
+        if (!motion ||
+            (elapsed > 0 && is_too_fast(motion->a_from_b.norm(), elapsed, max_speed_m_per_s_)))
+            return std::nullopt;
         return MeasuredMotion{
             frames_[a], frames_[b], candidate.timestamp, query.timestamp, *motion};
     }
 
  private:
-    bool is_too_fast(double metres, double seconds) const
-    {
-        constexpr double kJitter = 1;  // m, where two time stamps are too close
-        return seconds > 0 && metres > max_speed_m_per_s_ * seconds + kJitter;
-    }
-
     const Place& place(std::size_t i) const { return *places_.find(frames_[i]); }
 
     const PlaceMap& places_;
@@ -145,13 +142,14 @@ class Chain
 
     const KeypointDepths& far_depths_of_last(StageTimes& times)
     {
-        if (far_depths_of_ != last_)
+        auto& [depths, of] = far_depths_;
+        if (of != last_)
         {
             const auto before = trajectory_from_motions(latest_motions());
-            far_depths_ = MotionScale(places_, before, options_).depths_of(frames_[last_], times);
-            far_depths_of_ = last_;
+            depths = MotionScale(places_, before, options_).depths_of(frames_[last_], times);
+            of = last_;
         }
-        return far_depths_;
+        return depths;
     }
 
     const FrameMotions& between_;
@@ -160,8 +158,7 @@ class Chain
     const TDetectorOptions& options_;
     std::vector<MeasuredMotion> motions_;
     std::size_t last_ = 0;
-    KeypointDepths far_depths_;
-    std::optional<std::size_t> far_depths_of_;
+    std::pair<KeypointDepths, std::optional<std::size_t>> far_depths_;  ///< and of which frame
 };
 }  // namespace
 
@@ -170,7 +167,7 @@ std::vector<MeasuredMotion> visual_odometry(const PlaceMap& places,
                                             const TDetectorOptions& options,
                                             double max_speed_m_per_s,
                                             StageTimes& times,
-                                            const GoOn& go_on)
+                                            const CheckCancelled& check_cancelled)
 {
     const StageTimer timer(times, "visual_odometry");
     const auto camera = camera_with_depths(places, end);
@@ -182,14 +179,14 @@ std::vector<MeasuredMotion> visual_odometry(const PlaceMap& places,
     timed_parallel_for(options.runtime.num_threads,
                        to_next.size(),
                        times,
-                       go_on,
+                       check_cancelled,
                        [&](std::size_t i, StageTimes& own_times)
                        { to_next[i] = motions.between(i, i + 1, own_times); });
 
     Chain chain(motions, places, frames, options);
     for (std::size_t i = 1; i < frames.size(); ++i)
     {
-        go_on();
+        check_cancelled();
         chain.add(i, std::move(to_next[i - 1]), times);
     }
     return std::move(chain).motions();

@@ -16,8 +16,8 @@ namespace
 {
 constexpr int kAgreeingNeighbours = 2;
 
-/** The pairs (i of a, j of b) of codes each of which is the other's nearest; of equally near ones the
- *  lowest index counts. */
+/** The pairs (i of a, j of b) of codes each of which is the other's nearest; of equally near ones
+ *  the lowest index counts. */
 std::vector<std::pair<std::size_t, std::size_t>> mutual_nearest(const BinaryCodes& a,
                                                                 const BinaryCodes& b)
 {

@@ -64,8 +64,8 @@ std::size_t panels_for(std::size_t projections)
     return (projections + kPanelWidth - 1) / kPanelWidth;
 }
 
-/** Independent normal numbers, drawn for one number of the descriptor after the other and divided by
- *  its deviation; the columns that fill up the last panel are zero. */
+/** Independent normal numbers, drawn for one number of the descriptor after the other and divided
+ *  by its deviation; the columns that fill up the last panel are zero. */
 std::vector<float> random_panels(std::size_t projections,
                                  const std::vector<float>& deviation,
                                  std::uint64_t seed)

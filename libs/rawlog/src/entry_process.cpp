@@ -90,29 +90,29 @@ void EntryProcess::start()
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) cannot_start(errno);
     ::fcntl(ends[1], F_SETPIPE_SZ, kPipeBytes);  // where it is refused, the pipe is smaller
-    process_ = ::fork();
-    if (process_ == 0) run_sender(rawlog_, max_entry_bytes_, ends[1]);
+    child_.id = ::fork();
+    if (child_.id == 0) run_sender(rawlog_, max_entry_bytes_, ends[1]);
     const int error_number = errno;
     ::close(ends[1]);
-    pipe_ = ends[0];
-    if (process_ > 0) return;
-    ::close(pipe_);
-    pipe_ = -1;
+    child_.pipe = ends[0];
+    if (child_.id > 0) return;
+    ::close(child_.pipe);
+    child_.pipe = -1;
     cannot_start(error_number);
 }
 
 void EntryProcess::stop()
 {
-    ::close(pipe_);
-    pipe_ = -1;
-    if (process_ <= 0) return;
-    ::kill(process_, SIGKILL);
+    ::close(child_.pipe);
+    child_.pipe = -1;
+    if (child_.id <= 0) return;
+    ::kill(child_.id, SIGKILL);
     reason_of_its_end();
 }
 
 NextEntry EntryProcess::next()
 {
-    if (pipe_ < 0) return failure("the process that reads it has ended");
+    if (child_.pipe < 0) return failure("the process that reads it has ended");
     auto next = receive_after(0);
     for (int attempt = 1; !next && attempt < kAttempts; ++attempt)
     {
@@ -154,7 +154,7 @@ std::optional<NextEntry> EntryProcess::receive_entry()
         next.reason = std::move(content);
         return next;
     }
-    if (is_stuck_) return std::nullopt;
+    if (child_.is_stuck) return std::nullopt;
     return failure(reason_of_its_end());
 }
 
@@ -162,9 +162,9 @@ bool EntryProcess::receive(void* target, std::size_t count)
 {
     for (std::size_t done = 0; done < count;)
     {
-        is_stuck_ = !wait_for_pipe(pipe_, process_, idle_seconds_);
-        if (is_stuck_) return false;
-        const auto got = ::read(pipe_, static_cast<char*>(target) + done, count - done);
+        child_.is_stuck = !wait_for_pipe(child_.pipe, child_.id, idle_seconds_);
+        if (child_.is_stuck) return false;
+        const auto got = ::read(child_.pipe, static_cast<char*>(target) + done, count - done);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return false;
         done += static_cast<std::size_t>(got);
@@ -174,8 +174,8 @@ bool EntryProcess::receive(void* target, std::size_t count)
 
 std::string EntryProcess::reason_of_its_end()
 {
-    const auto reason = reason_of_end(process_);
-    process_ = -1;
+    const auto reason = reason_of_end(child_.id);
+    child_.id = -1;
     if (reason.empty()) return "the process that reads it ended";
     return "reading an entry ended in " + reason + ", as with sizes that are wrong";
 }

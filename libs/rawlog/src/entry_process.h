@@ -35,11 +35,10 @@ struct NextEntry
     std::string reason;  ///< of a failure, in one line; or the unknown object
 };
 
-/** A process that tries each entry of a rawlog before it is let in here: see send_entries(). It is a
- *  fork of this one, without its open files and its terminal. It ends with this object, or with this
- *  process, whichever way that ends. When it waits for a lock (see kIdleSeconds), another takes its
- *  place at the same entry.
- *  Not thread-safe: one caller at a time. */
+/** A process that tries each entry of a rawlog before it is let in here: see send_entries(). It is
+ *  a fork of this one, without its open files and its terminal. It ends with this object, or with
+ *  this process, whichever way that ends. When it waits for a lock (see kIdleSeconds), another
+ *  takes its place at the same entry. Not thread-safe: one caller at a time. */
 class EntryProcess
 {
  public:
@@ -59,7 +58,8 @@ class EntryProcess
     void start();
     void stop();
 
-    /** Passes over `entries` entries, which were given before. None when the process waits for a lock. */
+    /** Passes over `entries` entries, which were given before. None when the process waits for a
+     *  lock. */
     std::optional<NextEntry> receive_after(std::size_t entries);
     std::optional<NextEntry> receive_entry();
     bool receive(void* target, std::size_t count);
@@ -68,9 +68,13 @@ class EntryProcess
     std::string rawlog_;
     std::size_t max_entry_bytes_;
     int idle_seconds_;
-    int pipe_ = -1;
-    pid_t process_ = -1;
-    bool is_stuck_ = false;
+    struct Child
+    {
+        int pipe = -1;
+        pid_t id = -1;
+        bool is_stuck = false;
+    };
+    Child child_;
     std::size_t entries_given_ = 0;
     std::uint64_t stored_bytes_read_ = 0;
 };

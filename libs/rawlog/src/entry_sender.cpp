@@ -111,7 +111,8 @@ class EntryArchive : public mrpt::serialization::CArchive
         }
     }
 
-    /** Whether a serialized CRawlog begins here: then its header has been read, and nothing else. */
+    /** Whether a serialized CRawlog begins here: then its header has been read, and nothing else.
+     *  */
     bool step_into_rawlog(bool& has_end_mark)
     {
         begin_entry();

@@ -110,6 +110,13 @@ const std::vector<std::pair<std::string, ImageLayout>>& layout_words()
     return words;
 }
 
+ImageLayout layout_named(const std::string& word)
+{
+    for (const auto& [known, layout] : layout_words())
+        if (known == word) return layout;
+    throw std::invalid_argument("no layout is named '" + word + "'");
+}
+
 Recording read_recording(const LayoutRequest& request)
 {
     check_options_fit(request);

@@ -3,6 +3,7 @@
 
 #include "checked_image.h"
 #include "fild/core/whole_file.h"
+#include "fild/core/words.h"
 #include "fild/rawlog/camera_conversion.h"
 #include "fild/rawlog/pose_conversion.h"
 #include "fild/rawlog/rawlog_writer.h"
@@ -266,6 +267,15 @@ ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRaw
     if (!request.embed) summary.images_dir = images_dir.string();
     if (robot_path) summary.ground_truth_path = path_file.string();
     return summary;
+}
+
+std::string to_text(const ImageRawlogSummary& summary)
+{
+    auto text = count_of(summary.frames, "frame") + " of " + count_of(summary.images, "image");
+    if (summary.depth_images != 0) text += " and " + count_of(summary.depth_images, "depth image");
+    text += ", " + (summary.images_dir.empty() ? "embedded" : "in " + summary.images_dir);
+    if (!summary.ground_truth_path.empty()) text += "\nground truth: " + summary.ground_truth_path;
+    return text;
 }
 
 }  // namespace fild

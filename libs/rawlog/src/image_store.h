@@ -27,9 +27,9 @@ class ImageStore
     /** Path of an externally stored image; empty for an embedded one. */
     std::string path_of(const mrpt::img::CImage& image) const;
 
-    /** Path of a file that the rawlog names. If there is no such file, the first that exists of: the
-     *  same name with its ending in small or in capital letters; for a path from another computer,
-     *  the last parts of that path in the folder of images. */
+    /** Path of a file that the rawlog names. If there is no such file, the first that exists of:
+     *  the same name with its ending in small or in capital letters; for a path from another
+     *  computer, the last parts of that path in the folder of images. */
     std::string path_of_file(const std::string& name) const;
 
     /** The pixels as stored, shared with `image` when embedded. Nothing when there are none. */

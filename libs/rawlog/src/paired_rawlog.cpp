@@ -3,10 +3,12 @@
 
 #include <mrpt/obs/CObservation.h>
 
+#include <utility>
+
 namespace fild
 {
 PairedRawlog::PairedRawlog(const std::string& path, const TInputOptions& options)
-    : reader_(path, options.max_entry_megabytes), pairing_(options)
+    : reader_(path, options.max_entry_megabytes), observations_(options)
 {
 }
 
@@ -22,19 +24,17 @@ void PairedRawlog::read_on()
         damage_ = std::current_exception();
     }
     has_ended_ = !observation;
-    for (auto& each : has_ended_ ? pairing_.finish() : pairing_.feed(*observation))
-        ready_.push_back(std::move(each));
-    if (observation && !pairing_.takes(*observation)) ready_.push_back(observation);
+    if (has_ended_)
+        observations_.finish();
+    else if (!observations_.feed(*observation))
+        observations_.append(std::move(observation));
 }
 
 std::shared_ptr<mrpt::obs::CObservation> PairedRawlog::next()
 {
-    while (ready_.empty() && !has_ended_) read_on();
-    if (ready_.empty() && damage_) std::rethrow_exception(damage_);
-    if (ready_.empty()) return nullptr;
-    auto next = ready_.front();
-    ready_.pop_front();
-    return next;
+    while (observations_.empty() && !has_ended_) read_on();
+    if (observations_.empty() && damage_) std::rethrow_exception(damage_);
+    return observations_.take();
 }
 
 }  // namespace fild

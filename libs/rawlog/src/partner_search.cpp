@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "partner_search.h"
 
+#include "fild/core/upper_median.h"
+
 #include <mrpt/obs/CObservationImage.h>
 
 #include <algorithm>
@@ -12,15 +14,6 @@ namespace
 {
 constexpr std::size_t kMostWaiting = 8;
 
-template <class Numbers>
-std::optional<double> median_of(const Numbers& numbers)
-{
-    if (numbers.empty()) return std::nullopt;
-    std::vector<double> sorted(numbers.begin(), numbers.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
-}
 }  // namespace
 
 double PartnerSearch::tolerance() const
@@ -30,29 +23,30 @@ double PartnerSearch::tolerance() const
 
 std::optional<double> PartnerSearch::largest_tolerance() const
 {
-    const auto gap = median_of(left_gaps_);
-    if (!gap) return std::nullopt;
-    return *gap / 2;
+    if (left_gaps_.empty()) return std::nullopt;
+    return upper_median({left_gaps_.begin(), left_gaps_.end()}) / 2;
 }
 
 std::optional<double> PartnerSearch::usual_miss() const
 {
-    return median_of(misses_);
+    if (misses_.empty()) return std::nullopt;
+    return upper_median(misses_);
 }
 
 void PartnerSearch::note_time(StereoSide side, double seconds)
 {
     constexpr std::size_t kMostGaps = 15;
-    auto& last = side == StereoSide::left ? last_left_ : last_right_;
+    auto& own = side_of(side);
+    auto& last = own.last;
     if (side == StereoSide::left && last && seconds > *last)
     {
         left_gaps_.push_back(seconds - *last);
         if (left_gaps_.size() > kMostGaps) left_gaps_.pop_front();
     }
     last = seconds;
-    ++(side == StereoSide::left ? left_since_pair_ : right_since_pair_);
+    ++own.since_pair;
     if (side == StereoSide::left) return;
-    for (auto& waiting : left_)
+    for (auto& waiting : left_.queue)
         waiting.nearest =
             std::min(waiting.nearest.value_or(HUGE_VAL), std::abs(seconds - waiting.seconds));
 }
@@ -73,7 +67,8 @@ std::optional<std::size_t> PartnerSearch::nearest_in(const Queue& queue,
 
 void PartnerSearch::give_up(StereoSide side, std::size_t count, std::vector<ImagePair>& done)
 {
-    auto& queue = side == StereoSide::left ? left_ : right_;
+    auto& own = side_of(side);
+    auto& queue = own.queue;
     for (; count > 0; --count)
     {
         const auto& first = queue.front();
@@ -81,10 +76,8 @@ void PartnerSearch::give_up(StereoSide side, std::size_t count, std::vector<Imag
         {
             done.push_back({first.image, nullptr});
             if (first.nearest) misses_.push_back(*first.nearest);
-            ++left_alone_;
         }
-        else
-            ++right_alone_;
+        ++own.alone;
         queue.pop_front();
     }
 }
@@ -92,20 +85,23 @@ void PartnerSearch::give_up(StereoSide side, std::size_t count, std::vector<Imag
 /** The images of a side come in the order of their time. */
 void PartnerSearch::give_up_hopeless(std::vector<ImagePair>& done)
 {
-    const auto is_past = [this](const Queue& queue, const std::optional<double>& other)
-    { return other && *other > queue.front().seconds + tolerance(); };
-    while (!left_.empty() && (left_.size() > kMostWaiting || is_past(left_, last_right_)))
-        give_up(StereoSide::left, 1, done);
-    while (!right_.empty() && (right_.size() > kMostWaiting || is_past(right_, last_left_)))
-        give_up(StereoSide::right, 1, done);
+    const auto is_hopeless = [this](const Side& own, const Side& other)
+    {
+        const auto& queue = own.queue;
+        if (queue.empty()) return false;
+        const bool is_past = other.last && *other.last > queue.front().seconds + tolerance();
+        return queue.size() > kMostWaiting || is_past;
+    };
+    while (is_hopeless(left_, right_)) give_up(StereoSide::left, 1, done);
+    while (is_hopeless(right_, left_)) give_up(StereoSide::right, 1, done);
 }
 
 std::vector<ImagePair> PartnerSearch::add(StereoSide side, const SingleImage& image)
 {
     std::vector<ImagePair> done;
     const bool is_left = side == StereoSide::left;
-    auto& own = is_left ? left_ : right_;
-    auto& others = is_left ? right_ : left_;
+    auto& own = side_of(side).queue;
+    auto& others = (is_left ? right_ : left_).queue;
     if (image->timestamp == INVALID_TIMESTAMP)
     {
         own.push_back({image, 0, std::nullopt});
@@ -118,7 +114,7 @@ std::vector<ImagePair> PartnerSearch::add(StereoSide side, const SingleImage& im
     if (!partner)
     {
         std::optional<double> nearest;
-        if (is_left && last_right_) nearest = std::abs(*last_right_ - seconds);
+        if (is_left && right_.last) nearest = std::abs(*right_.last - seconds);
         own.push_back({image, seconds, nearest});
         give_up_hopeless(done);
         return done;
@@ -129,8 +125,8 @@ std::vector<ImagePair> PartnerSearch::add(StereoSide side, const SingleImage& im
     others.pop_front();
     done.push_back(is_left ? ImagePair{image, other} : ImagePair{other, image});
     ++paired_;
-    left_since_pair_ = left_.size();
-    right_since_pair_ = right_.size();
+    left_.since_pair = left_.queue.size();
+    right_.since_pair = right_.queue.size();
     give_up_hopeless(done);
     return done;
 }
@@ -138,8 +134,8 @@ std::vector<ImagePair> PartnerSearch::add(StereoSide side, const SingleImage& im
 std::vector<ImagePair> PartnerSearch::finish()
 {
     std::vector<ImagePair> done;
-    give_up(StereoSide::left, left_.size(), done);
-    give_up(StereoSide::right, right_.size(), done);
+    give_up(StereoSide::left, left_.queue.size(), done);
+    give_up(StereoSide::right, right_.queue.size(), done);
     return done;
 }
 

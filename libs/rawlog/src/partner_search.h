@@ -44,16 +44,16 @@ class PartnerSearch
 
     /** Left images with a partner, and without; right images without. */
     std::size_t paired() const { return paired_; }
-    std::size_t left_alone() const { return left_alone_; }
-    std::size_t right_alone() const { return right_alone_; }
+    std::size_t left_alone() const { return left_.alone; }
+    std::size_t right_alone() const { return right_.alone; }
 
     /** Images of each side since the last pair. */
-    std::size_t left_since_pair() const { return left_since_pair_; }
-    std::size_t right_since_pair() const { return right_since_pair_; }
+    std::size_t left_since_pair() const { return left_.since_pair; }
+    std::size_t right_since_pair() const { return right_.since_pair; }
 
     /** Time stamp of the latest image of a side, seconds. */
-    std::optional<double> last_left() const { return last_left_; }
-    std::optional<double> last_right() const { return last_right_; }
+    std::optional<double> last_left() const { return left_.last; }
+    std::optional<double> last_right() const { return right_.last; }
 
     /** How far the right image that is nearest in time usually is from a left one without partner,
      *  seconds; nothing when there was none. */
@@ -70,6 +70,13 @@ class PartnerSearch
         std::optional<double> nearest;  ///< difference to an image of the other side
     };
     using Queue = std::deque<Waiting>;
+    struct Side
+    {
+        Queue queue;
+        std::optional<double> last;  ///< time stamp, seconds
+        std::size_t alone = 0;
+        std::size_t since_pair = 0;
+    };
 
     double tolerance() const;
     void note_time(StereoSide side, double seconds);
@@ -80,18 +87,14 @@ class PartnerSearch
     void give_up(StereoSide side, std::size_t count, std::vector<ImagePair>& done);
     void give_up_hopeless(std::vector<ImagePair>& done);
 
+    Side& side_of(StereoSide side) { return side == StereoSide::left ? left_ : right_; }
+
     double tolerance_;
-    Queue left_;
-    Queue right_;
-    std::optional<double> last_left_;
-    std::optional<double> last_right_;
+    Side left_;
+    Side right_;
     std::deque<double> left_gaps_;  ///< the latest, seconds
     std::vector<double> misses_;
     std::size_t paired_ = 0;
-    std::size_t left_alone_ = 0;
-    std::size_t right_alone_ = 0;
-    std::size_t left_since_pair_ = 0;
-    std::size_t right_since_pair_ = 0;
 };
 
 }  // namespace fild

@@ -62,10 +62,13 @@ class Sheet
  public:
     Sheet(const MatchPicture& picture, const TRenderOptions& options);
 
-    cv::Point2d place_in_query(const PixelPosition& pixel) const { return place(pixel, query_); }
+    cv::Point2d place_in_query(const PixelPosition& pixel) const
+    {
+        return place(pixel, query_.image);
+    }
     cv::Point2d place_in_candidate(const PixelPosition& pixel) const
     {
-        return place(pixel, candidate_);
+        return place(pixel, candidate_.image);
     }
 
     /** Where a pair stands along the side that the images share, 0 to 1. */
@@ -90,17 +93,21 @@ class Sheet
         return {image.x + scale_ * x - 0.5, image.y + scale_ * y - 0.5};
     }
 
+    struct Side
+    {
+        cv::Rect image;
+        std::vector<std::string> title;
+    };
+
     void paste(const cv::Mat& image, const cv::Rect& place);
-    void write_title(const std::vector<std::string>& title, const cv::Rect& image);
+    void write_title(const Side& side);
 
     cv::Mat canvas_;
     bool is_stacked_ = false;
     double scale_ = 1;
     double letters_ = 14;
-    cv::Rect query_;
-    cv::Rect candidate_;
-    std::vector<std::string> query_title_;
-    std::vector<std::string> candidate_title_;
+    Side query_;
+    Side candidate_;
 };
 
 Sheet::Sheet(const MatchPicture& picture, const TRenderOptions& options)
@@ -114,39 +121,43 @@ Sheet::Sheet(const MatchPicture& picture, const TRenderOptions& options)
     is_stacked_ = images.is_stacked;
     scale_ = images.scale;
     letters_ = caption_height(widest);
-    query_title_ = wrapped(query_title(picture), letters_, images.query.width);
-    candidate_title_ = wrapped(candidate_title(picture), letters_, images.candidate.width);
-    const int query_strip = strip_height(query_title_.size(), letters_);
-    const int candidate_strip = strip_height(candidate_title_.size(), letters_);
+    query_.title = wrapped(query_title(picture), letters_, images.query.width);
+    candidate_.title = wrapped(candidate_title(picture), letters_, images.candidate.width);
+    const int query_strip = strip_height(query_.title.size(), letters_);
+    const int candidate_strip = strip_height(candidate_.title.size(), letters_);
     const int top = is_stacked_ ? query_strip : std::max(query_strip, candidate_strip);
-    query_ = {cv::Point(0, top), images.query};
-    candidate_ = {is_stacked_ ? cv::Point(0, query_.br().y + candidate_strip)
-                              : cv::Point(query_.br().x + gap, top),
-                  images.candidate};
-    canvas_ = cv::Mat((query_ | candidate_).br().y,
-                      std::max(query_.br().x, candidate_.br().x),
+    auto& query = query_.image;
+    auto& candidate = candidate_.image;
+    query = {cv::Point(0, top), images.query};
+    candidate = {is_stacked_ ? cv::Point(0, query.br().y + candidate_strip)
+                             : cv::Point(query.br().x + gap, top),
+                 images.candidate};
+    canvas_ = cv::Mat((query | candidate).br().y,
+                      std::max(query.br().x, candidate.br().x),
                       CV_8UC3,
                       cv::Scalar::all(255));
-    paste(picture.query_image, query_);
-    paste(picture.candidate_image, candidate_);
+    paste(picture.query_image, query);
+    paste(picture.candidate_image, candidate);
 }
 
 double Sheet::share(const PixelPair& pair) const
 {
-    const auto at = place_in_query(pair.query) - cv::Point2d(query_.tl());
-    return is_stacked_ ? at.x / query_.width : at.y / query_.height;
+    const auto& image = query_.image;
+    const auto at = place_in_query(pair.query) - cv::Point2d(image.tl());
+    return is_stacked_ ? at.x / image.width : at.y / image.height;
 }
 
-void Sheet::write_title(const std::vector<std::string>& title, const cv::Rect& image)
+void Sheet::write_title(const Side& side)
 {
-    const int height = strip_height(title.size(), letters_);
-    draw_strip(canvas_, {image.x, image.y - height, image.width, height}, title, letters_);
+    const auto& image = side.image;
+    const int height = strip_height(side.title.size(), letters_);
+    draw_strip(canvas_, {image.x, image.y - height, image.width, height}, side.title, letters_);
 }
 
 void Sheet::write_texts(const MatchPicture& picture, std::size_t lines)
 {
-    write_title(query_title_, query_);
-    write_title(candidate_title_, candidate_);
+    write_title(query_);
+    write_title(candidate_);
     const auto text = wrapped(match_caption(picture, lines), letters_, canvas_.cols);
     const cv::Rect strip(0, canvas_.rows, canvas_.cols, strip_height(text.size(), letters_));
     cv::copyMakeBorder(

@@ -162,8 +162,8 @@ OffscreenRenderer::Context::Context()
         throw std::runtime_error("cannot draw off-screen: OpenGL functions come from " + library +
                                  ", not from libOSMesa; link OSMesa before all others");
     require_precise_shaders();
-    // MRPT keeps one table of all threads' texture names, and deletes a name in the thread that made
-    // it last: only contexts that share their names have none twice.
+    // MRPT keeps one table of all threads' texture names, and deletes a name in the thread that
+    // made it last: only contexts that share their names have none twice.
     static OSMesaContext const of_all_names = new_context(nullptr);
     context_ = new_context(of_all_names);
     if (context_ == nullptr)

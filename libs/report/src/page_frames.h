@@ -10,8 +10,8 @@
 
 namespace fild
 {
-/** Of a longer recording a page holds some 20,000 frames: a browser opens more of them slowly, or not
- *  at all. */
+/** Of a longer recording a page holds some 20,000 frames: a browser opens more of them slowly, or
+ *  not at all. */
 constexpr std::size_t kMostPageFrames = 20000;
 
 /** Which frames of a run a page holds. */
@@ -19,8 +19,8 @@ using PageFrames = std::vector<bool>;
 
 /** All frames, or of more than kMostPageFrames those that tell most: wrong loop closures, missed
  *  loops, other loop closures, then the others, each at even distances where there are too many: a
- *  quarter of the page is left for each kind that follows. With these the candidates of the loop closures, and the first and
- *  the last frame. */
+ *  quarter of the page is left for each kind that follows. With these the candidates of the loop
+ *  closures, and the first and the last frame. */
 PageFrames page_frames(const RunFolder& run, const std::optional<ReportTruth>& truth);
 
 /** Adds frames and their candidates. */

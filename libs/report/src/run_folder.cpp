@@ -90,7 +90,8 @@ Json frames_json(const std::vector<FrameVerdict>& frames, const std::vector<bool
     return json;
 }
 
-/** x, y, z, metres, for each frame of the page; null where it has no pose. Empty without any pose. */
+/** x, y, z, metres, for each frame of the page; null where it has no pose. Empty without any pose.
+ *  */
 Json positions_json(const PosesOfFrames& poses, const std::vector<bool>& page)
 {
     Json json = Json::array();
@@ -174,8 +175,9 @@ Json word_of(const std::optional<Judgement>& judgement)
                                             : "doubtful";
 }
 
-/** `judgement` of each frame's candidate, accepted or not; `missed`: each loop query without a right
- *  loop closure, a frame at its place and the stage that lost it, as far as they are known. */
+/** `judgement` of each frame's candidate, accepted or not; `missed`: each loop query without a
+ *  right loop closure, a frame at its place and the stage that lost it, as far as they are known.
+ *  */
 Json truth_json(const RunEvaluation& evaluation, const std::vector<bool>& page)
 {
     std::map<FrameId, LossStage> stages;
@@ -222,7 +224,8 @@ Json protocols_json(const ReportTruth& truth)
     return json;
 }
 
-/** [recall, precision, threshold] of at most kMostPoints points, from the highest threshold down. */
+/** [recall, precision, threshold] of at most kMostPoints points, from the highest threshold down.
+ *  */
 Json curve_json(const PrecisionRecallCurve& curve)
 {
     constexpr std::size_t kMostPoints = 500;

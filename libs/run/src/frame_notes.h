@@ -20,8 +20,8 @@ std::vector<std::string> notes_on_frames(const RunRecord& record,
  *  more. */
 std::string too_few_usable_frames(const RunSummary& summary, const FrameBuilder& frames);
 
-/** Counts the frames without depths of their own, by reason. Adds notes where no frame has any, unless
- *  the loops told it already, and where depths are there and yet of little use. */
+/** Counts the frames without depths of their own, by reason. Adds notes where no frame has any,
+ *  unless the loops told it already, and where depths are there and yet of little use. */
 void add_notes_on_depths(RunSummary& summary,
                          const PlaceMap& places,
                          const TRelativePoseOptions& options);

@@ -24,8 +24,8 @@ DrawnMap to_drawn_map(const Map& map,
 /** Marks the loops as right, wrong or doubtful, and adds the frames that are missed. */
 void add_judgements(DrawnMap& drawn, const std::vector<JudgedFrame>& frames);
 
-/** The cameras of keyframes as [render] chooses them, without images; those that are not calibrated are
- *  left out. */
+/** The cameras of keyframes as [render] chooses them, without images; those that are not calibrated
+ *  are left out. */
 std::map<FrameId, DrawnCamera> cameras_of(const Map& map,
                                           const PlaceMap& places,
                                           const TRenderOptions& options);

@@ -69,8 +69,8 @@ void add_matches(std::vector<LoopPicture>& pairs,
 void add_cameras(std::vector<LoopPicture>& pairs, const Map& map, const PlaceMap& places);
 
 /** Draws pairs, whose images come one by one, as QUERY_CANDIDATE.jpg, and those with cameras as
- *  QUERY_CANDIDATE_3d.jpg too, into a folder. An interruption ends it early. Not thread-safe: one caller
- *  at a time. */
+ *  QUERY_CANDIDATE_3d.jpg too, into a folder. An interruption ends it early. Not thread-safe: one
+ *  caller at a time. */
 class MatchPictures
 {
  public:

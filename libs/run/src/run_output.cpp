@@ -141,8 +141,8 @@ void RunOutput::write_similarities()
     summary.frames_per_similarity_row = record_.similarities->frames_per_row();
 }
 
-/** All that takes observations or images out of the rawlog once more: map.simplemap, the pictures of
- *  the map, those of matches. Without a pose there is no map: write_map_files() has said so. */
+/** All that takes observations or images out of the rawlog once more: map.simplemap, the pictures
+ *  of the map, those of matches. Without a pose there is no map: write_map_files() has said so. */
 void RunOutput::draw()
 {
     const auto& options = request_.options;

@@ -16,8 +16,8 @@ struct RunStep
     const char* stage = nullptr;  ///< that its time counts for; nullptr: none
 };
 
-/** Runs steps. An error ends only the step in which it occurs: the first becomes the reason why the run
- *  is not whole, further ones become notes. Refers to the summary. */
+/** Runs steps. An error ends only the step in which it occurs: the first becomes the reason why the
+ *  run is not whole, further ones become notes. Refers to the summary. */
 class RunSteps
 {
  public:

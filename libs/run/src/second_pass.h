@@ -20,8 +20,8 @@ struct ImageConsumer
     std::function<void(const Frame&)> take;
 };
 
-/** Reads the rawlog of a run once more, for all steps that want something of single frames. Refers to
- *  its steps. Not thread-safe: one caller at a time. */
+/** Reads the rawlog of a run once more, for all steps that want something of single frames. Refers
+ *  to its steps. Not thread-safe: one caller at a time. */
 class SecondPass
 {
  public:

@@ -26,7 +26,7 @@ TLoopClosureStreamOptions load_stream_options(const std::string& ini_path,
 
 LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
                                      const std::string& rawlog_path)
-    : pairing_(options.input),
+    : observations_(options.input),
       frames_(options.input,
               rawlog_path,
               options.detector.relative_pose.enabled ? FrameContent::metric : FrameContent::image),
@@ -38,28 +38,23 @@ LoopClosureStream::LoopClosureStream(const TLoopClosureStreamOptions& options,
 
 std::optional<FedFrame> LoopClosureStream::feed(const mrpt::obs::CObservation& observation)
 {
-    for (auto& each : pairing_.feed(observation)) ready_.push_back(std::move(each));
-    if (pairing_.takes(observation)) return next();
-    if (ready_.empty()) return look_at(observation);
-    ready_.push_back(
+    if (observations_.feed(observation)) return next();
+    if (observations_.empty()) return look_at(observation);
+    observations_.append(
         std::dynamic_pointer_cast<mrpt::obs::CObservation>(observation.duplicateGetSmartPtr()));
     return next();
 }
 
 std::optional<FedFrame> LoopClosureStream::next()
 {
-    while (!ready_.empty())
-    {
-        const auto observation = std::move(ready_.front());
-        ready_.pop_front();
+    while (const auto observation = observations_.take())
         if (auto fed = look_at(*observation)) return fed;
-    }
     return std::nullopt;
 }
 
 std::optional<FedFrame> LoopClosureStream::drain()
 {
-    for (auto& each : pairing_.finish()) ready_.push_back(std::move(each));
+    observations_.finish();
     return next();
 }
 

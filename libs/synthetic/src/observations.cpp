@@ -91,7 +91,8 @@ mrpt::poses::CPose2D planar(const mrpt::math::TPose3D& pose)
     return {pose.x, pose.y, pose.yaw};
 }
 
-/** What a receiver with such noise says of its fixes: RTK fixed or float, differential or single. */
+/** What a receiver with such noise says of its fixes: RTK fixed or float, differential or single.
+ *  */
 std::uint8_t fix_quality(double noise_m)
 {
     if (noise_m <= 0.05) return 4;

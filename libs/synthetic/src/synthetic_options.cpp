@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/synthetic/synthetic_options.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace fild
@@ -28,6 +29,19 @@ void TSyntheticOptions::check() const
             throw std::invalid_argument("[" + section + "] " + error.what());
         }
     }
+}
+
+std::vector<std::string> preset_names()
+{
+    return {"tiny", "demo", "hard", "large"};
+}
+
+Preset preset_named(const std::string& name)
+{
+    const auto names = preset_names();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) throw std::invalid_argument("no preset is named '" + name + "'");
+    return static_cast<Preset>(found - names.begin());
 }
 
 TSyntheticOptions options_of(Preset preset)

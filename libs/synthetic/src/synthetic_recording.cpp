@@ -2,6 +2,7 @@
 #include "fild/synthetic/synthetic_recording.h"
 
 #include "drawing_threads.h"
+#include "fild/core/words.h"
 #include "fild/rawlog/pose_conversion.h"
 #include "fild/rawlog/robot_path_file.h"
 #include "fild/synthetic/odometry.h"
@@ -259,6 +260,15 @@ SyntheticSummary write_synthetic_recording(const SyntheticRequest& request,
         if (on_frame) on_frame(frame + 1, recorder.frames(), recorder.loops());
     }
     return recorder.finish();
+}
+
+std::string to_text(const SyntheticSummary& summary)
+{
+    const std::vector<std::string> beside(summary.paths.begin() + 1, summary.paths.end());
+    return summary.paths.front() + ": " + count_of(summary.frames, "frame") + ", " +
+           std::to_string(static_cast<long>(summary.metres)) + " m, " +
+           count_of(summary.queries_with_loop, "frame") + " with a loop (" +
+           count_of(summary.loops, "pair") + "); beside it: " + joined(beside, ", ");
 }
 
 }  // namespace fild

@@ -100,9 +100,9 @@ struct BinaryCodes
 /** Hamming distance of two codes of `words` words, bits. */
 int hamming_distance(const std::uint64_t* a, const std::uint64_t* b, std::size_t words);
 
-/** What a layer of the network sees in each cell of an image: `channels` numbers a cell, the cells row
- *  by row. Of each channel the mean over the image is 0 and the deviation 1, so that light and colour
- *  of a whole image do not count. */
+/** What a layer of the network sees in each cell of an image: `channels` numbers a cell, the cells
+ *  row by row. Of each channel the mean over the image is 0 and the deviation 1, so that light and
+ *  colour of a whole image do not count. */
 struct CellFeatures
 {
     int rows = 0;

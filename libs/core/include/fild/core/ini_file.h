@@ -12,9 +12,10 @@
 
 namespace fild
 {
-/** Reads an .ini file into memory. A line `base = FILE` before the first section, FILE beside this one,
- *  takes over that file, which has no base itself; what stands in this one counts more. Refuses what MRPT's reader would let pass in silence: a missing
- *  file, a line that is neither section, key, comment nor blank, a key outside any section, a
+/** Reads an .ini file into memory. A line `base = FILE` before the first section, FILE beside this
+ *  one, takes over that file, which has no base itself; what stands in this one counts more.
+ *  Refuses what MRPT's reader would let pass in silence: a missing file, a line that is neither
+ *  section, key, comment nor blank, a key outside any section, a
  * section or key that stands twice, names with capital letters. Comments: a line that starts with
  * `#`, `;` or `//`, and everything after a blank and `//` or `;` in a line; so no value can begin
  * with these. \throw std::runtime_error with path, line number and reason. */

@@ -40,8 +40,8 @@ constexpr std::size_t to_index(Evidence kind)
     return static_cast<std::size_t>(kind);
 }
 
-/** Natural logarithms of likelihood ratios: the evidence if both frames show the same place, against
- *  the evidence under another explanation. Value type. */
+/** Natural logarithms of likelihood ratios: the evidence if both frames show the same place,
+ *  against the evidence under another explanation. Value type. */
 struct PairOdds
 {
     double against_chance = 0;  ///< if the inliers agree by chance

@@ -9,7 +9,8 @@
 
 namespace fild
 {
-/** A trial that waits for a lock for longer waits without end: for a thread that is not in the fork. */
+/** A trial that waits for a lock for longer waits without end: for a thread that is not in the
+ *  fork. */
 constexpr int kIdleSeconds = 6;
 
 /** How much a trial may take. */
@@ -32,16 +33,18 @@ void limit_memory(std::size_t more_bytes);
 /** Whether `ulimit -v` leaves this process less than `more_bytes`. */
 bool system_grants_less(std::size_t more_bytes);
 
-/** The system ends this process when it computes for longer from now on. A later call begins anew. */
+/** The system ends this process when it computes for longer from now on. A later call begins anew.
+ *  */
 void limit_computing(int seconds);
 
-/** Waits for a child process. \return what ended it, such as "signal 11"; empty: it ended by itself,
- *  with status 0; "an unknown reason" where the program ignores SIGCHLD or waits for all children. */
+/** Waits for a child process. \return what ended it, such as "signal 11"; empty: it ended by
+ *  itself, with status 0; "an unknown reason" where the program ignores SIGCHLD or waits for all
+ *  children. */
 std::string reason_of_end(pid_t process);
 
-/** Waits until something can be read from a pipe whose other end a child process holds, or that end is
- *  closed. \return false: the child has waited for a lock for `idle_seconds`, and computed nothing; a
- *  file that is slow to come, over a network for instance, does not count. */
+/** Waits until something can be read from a pipe whose other end a child process holds, or that end
+ *  is closed. \return false: the child has waited for a lock for `idle_seconds`, and computed
+ *  nothing; a file that is slow to come, over a network for instance, does not count. */
 bool wait_for_pipe(int pipe, pid_t process, int idle_seconds);
 
 /** How a trial ended. Value type. */
@@ -53,13 +56,13 @@ struct TrialOutcome
 };
 
 /** Runs a task in a fork of this process, for libraries that crash or take all memory on a bad file
- *  because they trust what they read. As after any fork, locks that other threads hold at that moment
- *  stay locked in it; a trial that waits for one is ended and begun anew, twice.
+ *  because they trust what they read. As after any fork, locks that other threads hold at that
+ *  moment stay locked in it; a trial that waits for one is ended and begun anew, twice.
  *
  *  A task that threw must not be done here: a library that is refused memory may report whatever it
  *  likes, and would be granted that memory here.
- *  \param task  a std::bad_alloc, or OpenCV's, counts as a crash; where `ulimit -v` grants less memory
- *  than `limits.bytes`, it is an error.
+ *  \param task  a std::bad_alloc, or OpenCV's, counts as a crash; where `ulimit -v` grants less
+ *  memory than `limits.bytes`, it is an error.
  *  \throw std::runtime_error when no process can be started. */
 TrialOutcome run_in_trial(const std::function<std::string()>& task, const TrialLimits& limits);
 

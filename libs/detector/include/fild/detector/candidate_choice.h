@@ -20,9 +20,9 @@ struct BelievableCandidate
 /** Log odds of a pair from which on it may be accepted, by itself or with the frames around it. */
 double believable_log_odds(const TDetectorOptions& options);
 
-/** True when the first is the better candidate: its log odds are greater, or those of both are at least
- *  `enough` and it has more inliers, which show more of the place and give a better metric pose. Equals
- *  are compared by their matches. */
+/** True when the first is the better candidate: its log odds are greater, or those of both are at
+ *  least `enough` and it has more inliers, which show more of the place and give a better metric
+ *  pose. Equals are compared by their matches. */
 bool is_better(const ConsideredCandidate& a, const ConsideredCandidate& b, double enough);
 
 /** Which candidate a verdict names: of those within kEvidenceReach of the most probable candidate's
@@ -30,9 +30,9 @@ bool is_better(const ConsideredCandidate& a, const ConsideredCandidate& b, doubl
 const ConsideredCandidate& most_probable(const std::vector<BelievableCandidate>& candidates,
                                          const PlaceStates& states);
 
-/** Probability that the camera is at one of the candidates or at one of the five places before or after
- *  it: several laps show one place, but a candidate far from where the camera is believed to be does
- *  not. */
+/** Probability that the camera is at one of the candidates or at one of the five places before or
+ *  after it: several laps show one place, but a candidate far from where the camera is believed to
+ *  be does not. */
 double probability_near(const std::vector<BelievableCandidate>& candidates,
                         const PlaceStates& states);
 

@@ -21,12 +21,13 @@ namespace fild
  * neighbours of its descriptor. With the defaults nothing but those, as in the paper. */
 struct TCandidateOptions : Options
 {
-    /** How many places are verified: among the nearest neighbours, those with most agreeing_cells(),
-     *  best first. Needs [global_descriptor] cell_layer. 0: all neighbours are, most similar
-     *  first. */
+    /** How many places are verified: among the nearest neighbours, those with most
+     *  agreeing_cells(), best first. Needs [global_descriptor] cell_layer. 0: all neighbours are,
+     *  most similar first. */
     int best_by_cells = 0;
-    /** Of nearest neighbours at most `place_frames` frames of a camera apart only the most similar is verified:
-     *  they show one place, and neighbour_reach finds its best frame. 0: all are verified. */
+    /** Of nearest neighbours at most `place_frames` frames of a camera apart only the most similar
+     *  is verified: they show one place, and neighbour_reach finds its best frame. 0: all are
+     *  verified. */
     int place_frames = 0;
     /** Frames of the same camera before and after the best candidate are verified too, until
      *  `neighbour_reach` in a row are no better: along a street the nearest descriptor is often a
@@ -63,8 +64,9 @@ struct TConsistencyOptions : Options
     /** Weight of a frame's evidence for or against a look-alike. Below 1, because look-alikes come
      *  in rows. */
     double look_alike_weight = 0.85;
-    /** The verdict on a frame is given when the frames up to this many seconds of the recording later
-     *  have been seen, and counts them, too: see PlaceSmoother. 0: at once. Needs the belief. */
+    /** The verdict on a frame is given when the frames up to this many seconds of the recording
+     *  later have been seen, and counts them, too: see PlaceSmoother. 0: at once. Needs the belief.
+     *  */
     double look_ahead_seconds = 0;
     /** beta: verified frames of a camera in a row; the last is accepted. */
     int consecutive_frames = 2;

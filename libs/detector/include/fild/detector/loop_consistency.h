@@ -23,25 +23,25 @@ struct BelievedCandidate
     double probability = 0;  ///< that the query shows its place
 };
 
-/** Holds a frame's candidates against the frames before it and, with look-ahead, after it: by a belief
- *  over the places of the map, or by the paper's row of beta verified frames (FILD, section III-C).
- *  Deterministic. Not thread-safe: one caller at a time. */
+/** Holds a frame's candidates against the frames before it and, with look-ahead, after it: by a
+ *  belief over the places of the map, or by the paper's row of beta verified frames (FILD, section
+ *  III-C). Deterministic. Not thread-safe: one caller at a time. */
 class LoopConsistency
 {
  public:
     /** \throw std::invalid_argument on bad options. */
     explicit LoopConsistency(const TDetectorOptions& options);
 
-    /** The frame is a place of the map from now on: with frames of other cameras at one instant it is
-     *  one place of the belief. */
+    /** The frame is a place of the map from now on: with frames of other cameras at one instant it
+     *  is one place of the belief. */
     void add_place(FrameId frame, std::size_t instant);
 
-    /** The first frame of the place where the camera is believed to be; none without a belief, or when it
-     *  is weak. */
+    /** The first frame of the place where the camera is believed to be; none without a belief, or
+     *  when it is weak. */
     std::optional<FrameId> expected_place() const;
 
-    /** Takes the next frame, each pair of which was judged alone. Without a belief its verdict is the
-     *  last one: a verified frame that closes no row becomes not_consistent_yet.
+    /** Takes the next frame, each pair of which was judged alone. Without a belief its verdict is
+     *  the last one: a verified frame that closes no row becomes not_consistent_yet.
      *  \param instant  of the frame. */
     void take(DetectorOutcome& outcome, std::size_t instant, const PlaceMap& places);
 

@@ -39,14 +39,14 @@ class LoopDetector
     /** Takes the next frame.
      *  \param times receives "index_insertion", "index_search", "cells", "matching",
      *  "verification", "evidence" and "look_ahead".
-     *  \return the frames whose verdict can now be given, oldest first. Without look-ahead this frame,
-     *  and no other.
+     *  \return the frames whose verdict can now be given, oldest first. Without look-ahead this
+     *  frame, and no other.
      *  \throw std::invalid_argument when ids do not increase or a descriptor has another length;
      *  nothing has changed then. */
     std::vector<DetectorOutcome> process(FrameDescription description, StageTimes& times);
 
-    /** Gives the verdicts that still wait for later frames, at the end of the recording: none without
-     *  look-ahead. */
+    /** Gives the verdicts that still wait for later frames, at the end of the recording: none
+     *  without look-ahead. */
     std::vector<DetectorOutcome> finish(StageTimes& times);
 
     /** Memory of the descriptors held for later frames; the links of the HNSW graph (about

@@ -23,12 +23,12 @@ struct ComparedPlace
     std::optional<PairOdds> odds;
 };
 
-/** Tracks where the camera is, with a hidden Markov model over the frames so far. The camera is on new
- *  ground, at one of the map's places, or at a place that only looks like one of them. From frame to
- *  frame it moves along the earlier path in either direction, jumps, leaves or returns. So a doubtful
- *  frame within a clear return is accepted, and one convincing frame in a row of look-alikes is not.
- *  This is the forward pass: a frame is judged by itself and the frames before. PlaceSmoother is the
- *  backward pass.
+/** Tracks where the camera is, with a hidden Markov model over the frames so far. The camera is on
+ *  new ground, at one of the map's places, or at a place that only looks like one of them. From
+ *  frame to frame it moves along the earlier path in either direction, jumps, leaves or returns. So
+ *  a doubtful frame within a clear return is accepted, and one convincing frame in a row of
+ *  look-alikes is not. This is the forward pass: a frame is judged by itself and the frames before.
+ *  PlaceSmoother is the backward pass.
  *
  *  Cost of a frame: linear in the number of places, a few nanoseconds each. Deterministic. Not
  *  thread-safe: one caller at a time. */
@@ -38,8 +38,8 @@ class PlaceBelief
     /** \throw std::invalid_argument on bad options. */
     explicit PlaceBelief(const TConsistencyOptions& options);
 
-    /** Adds a frame as the next place along the path, or to the last place: frames of several cameras
-     *  at one instant are one place. */
+    /** Adds a frame as the next place along the path, or to the last place: frames of several
+     *  cameras at one instant are one place. */
     void add_place(FrameId frame, bool is_last_place = false);
 
     /** Updates the belief with the next frame.

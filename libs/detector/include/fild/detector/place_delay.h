@@ -15,8 +15,8 @@
 namespace fild
 {
 /** Decides when a frame becomes a place that later frames can return to: after the delay of FILD
- *  (IROS 2019) section III-B.3, by the clock of the recording, and never when its camera stands still
- *  then: such a frame shows nothing new, and the delay waits until the camera moves.
+ *  (IROS 2019) section III-B.3, by the clock of the recording, and never when its camera stands
+ *  still then: such a frame shows nothing new, and the delay waits until the camera moves.
  *  Deterministic. Not thread-safe: one caller at a time. */
 class PlaceDelay
 {

@@ -18,9 +18,10 @@
 namespace fild
 {
 /** Recognises the place that a frame shows, FILD (IROS 2019) sections III-B and III-C: looks for
- *  similar frames in the index, verifies the promising ones, and follows the path from the best one to
- *  a better one. Judges pairs of frames alone; what the frames before and after say is LoopConsistency.
- *  Deterministic. Const members may run concurrently, each with its own StageTimes. */
+ *  similar frames in the index, verifies the promising ones, and follows the path from the best one
+ *  to a better one. Judges pairs of frames alone; what the frames before and after say is
+ *  LoopConsistency. Deterministic. Const members may run concurrently, each with its own
+ *  StageTimes. */
 class PlaceRecognizer
 {
  public:
@@ -35,7 +36,8 @@ class PlaceRecognizer
      *  \throw std::invalid_argument when the descriptor has another length. */
     void insert(FrameId frame, const GlobalDescriptor& descriptor);
 
-    /** \param expected  where the camera is believed to be: with follow_belief what this camera saw there
+    /** \param expected  where the camera is believed to be: with follow_belief what this camera saw
+     *  there
      *         is verified, too.
      *  \param times  receives "index_search", "cells", "matching", "verification" and "evidence".
      *  \return the verdict on the best pair, all that was looked at, and what a loop is made of but

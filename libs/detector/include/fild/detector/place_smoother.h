@@ -11,8 +11,8 @@
 namespace fild
 {
 /** Lets later frames say where the camera was: the backward pass over the model of PlaceBelief, for
- *  the frames of a window that the caller moves (fixed-lag smoothing). A doubtful frame before a clear
- *  return gains, and a convincing one that the frames after it contradict loses.
+ *  the frames of a window that the caller moves (fixed-lag smoothing). A doubtful frame before a
+ *  clear return gains, and a convincing one that the frames after it contradict loses.
  *
  *  Memory: four numbers a place for each frame of the window. Deterministic. Not thread-safe: one
  *  caller at a time. */

@@ -16,11 +16,11 @@ struct EvidenceWeights
     EvidenceValues of_share{};  ///< of log(share / (1 - share)), for each kind of evidence
 };
 
-/** Section [same_place]: the probability that a pair of frames shows one place. The coefficients are
- *  fitted by tests/benchmark/fit_same_place.py to labelled runs. Each has a fixed sign, so that more of
- *  one kind of evidence never changes sides. Against look-alikes, shape, close matches and overlap
- *  count as reasons for doubt: the more alike the two views are, the more of a same place would
- *  match. */
+/** Section [same_place]: the probability that a pair of frames shows one place. The coefficients
+ *  are fitted by tests/benchmark/fit_same_place.py to labelled runs. Each has a fixed sign, so that
+ *  more of one kind of evidence never changes sides. Against look-alikes, shape, close matches and
+ *  overlap count as reasons for doubt: the more alike the two views are, the more of a same place
+ *  would match. */
 struct TSamePlaceOptions : Options
 {
     bool enabled = false;  ///< false: min_inliers (tau) alone decides, as in the paper
@@ -42,8 +42,8 @@ class SamePlaceModel
     explicit SamePlaceModel(const TSamePlaceOptions& options);
 
     /** The log-likelihood ratios are limited to +-12 (chance) and +-10 (look-alike): a fit to a few
-     *  thousand pairs supports no larger ones. Shares among a few inliers tell nothing of look-alikes:
-     *  that ratio counts from 10 inliers on, and in full from 40. */
+     *  thousand pairs supports no larger ones. Shares among a few inliers tell nothing of
+     *  look-alikes: that ratio counts from 10 inliers on, and in full from 40. */
     PairOdds odds(std::size_t inliers, const EvidenceValues& evidence) const;
 
     /** True when the pair alone reaches min_probability, with equal prior odds for all three

@@ -15,7 +15,8 @@ class TemporalConsistency
  public:
     explicit TemporalConsistency(const TConsistencyOptions& options);
 
-    /** The current frame of a camera was verified against a candidate seen at `candidate_time`, seconds.
+    /** The current frame of a camera was verified against a candidate seen at `candidate_time`,
+     *  seconds.
      *  \return true when it closes a row of beta. */
     bool add_verified(const std::string& camera, double candidate_time);
 

@@ -31,9 +31,9 @@ std::string to_text(const EvaluationReport& report, std::size_t max_wrong);
 void write_wrong_and_missed_loops(const EvaluationReport& report, const std::string& folder);
 
 /** Writes into the folder, made if need be, each file whole or not at all: evaluation.json,
- *  evaluation.tex, precision_recall.svg, precision_recall.png and, with a first column `run` that counts from 1,
- *  wrong_loops.csv, curve_inliers.csv, curve_similarity.csv, stretches.csv, runs.csv and, if all
- *  runs have a candidates.csv, missed_loops.csv.
+ *  evaluation.tex, precision_recall.svg, precision_recall.png and, with a first column `run` that
+ *  counts from 1, wrong_loops.csv, curve_inliers.csv, curve_similarity.csv, stretches.csv, runs.csv
+ *  and, if all runs have a candidates.csv, missed_loops.csv.
  *  \throw std::runtime_error naming what cannot be written. */
 void write_evaluation(const EvaluationReport& report, const std::string& folder);
 

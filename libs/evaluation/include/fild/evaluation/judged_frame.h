@@ -23,7 +23,8 @@ struct JudgedFrame
     bool answered() const { return verdict.accepted() && judgement == Judgement::right; }
 };
 
-/** Asks the truth about each frame and its candidate. The cost is quadratic in the number of frames.
+/** Asks the truth about each frame and its candidate. The cost is quadratic in the number of
+ *  frames.
  */
 std::vector<JudgedFrame> judge_frames(const std::vector<FrameVerdict>& frames,
                                       const LoopTruth& truth);

@@ -19,8 +19,8 @@ struct Protocol
     Kind kind = Kind::exact;
     std::size_t window = 0;  ///< frames; 10 and 40 are in use in publications
     double radius = 0;  ///< metres between the positions
-    /** Metres, above `radius`; 0: off. Pairs up to this distance and twice max_angle_deg that are not
-     *  right are not wrong either: both frames may show the same things from further off. */
+    /** Metres, above `radius`; 0: off. Pairs up to this distance and twice max_angle_deg that are
+     *  not right are not wrong either: both frames may show the same things from further off. */
     double doubtful_radius = 0;
     double max_angle_deg = 45;  ///< of the rotation between the two poses: the same view
     double min_age_seconds = 30;  ///< of the candidate when the query was taken: a return, no stay

@@ -21,7 +21,8 @@ struct TVerificationOptions : Options
     RansacMethod method = RansacMethod::ransac;
     int min_inliers = 20;  ///< tau: fewer inliers are no loop
     /** Only matches near the rotation and scale that most of them have, within 30 degrees and one
-     *  octave, are tried for a fundamental matrix; wrong matches have random ones. Not in the paper. */
+     *  octave, are tried for a fundamental matrix; wrong matches have random ones. Not in the
+     *  paper. */
     bool one_shape = false;
     double max_epipolar_error_px = 3;  ///< a match is an inlier up to this distance, pixels
     double confidence = 0.99;  ///< RANSAC stops when a better model is this unlikely

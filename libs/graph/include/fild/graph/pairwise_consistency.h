@@ -37,8 +37,8 @@ double cycle_error(const PoseGraph& graph, std::size_t loop_i, std::size_t loop_
  *  them: the two tell nearly the same, so that this shows the noise of loops. */
 std::vector<double> errors_of_neighbours(const PoseGraph& graph);
 
-/** Squared Mahalanobis distance from the identity of each loop's cycle with the odometry between its
- *  own ends, where it connects them; chi2 with 6 degrees of freedom. */
+/** Squared Mahalanobis distance from the identity of each loop's cycle with the odometry between
+ *  its own ends, where it connects them; chi2 with 6 degrees of freedom. */
 std::vector<double> errors_against_odometry(const PoseGraph& graph);
 
 /** Pairwise consistency maximisation: the largest set of loops that agree two by two.

@@ -36,7 +36,8 @@ struct GraphPrior
     FrameId frame{};
     mrpt::math::TPoint3D map_from_point;  ///< metres
     mrpt::math::TPoint3D robot_from_point;  ///< metres, in the robot's axes
-    /** Inverse covariance of `map_from_point` along the map's axes; symmetric, positive definite. */
+    /** Inverse covariance of `map_from_point` along the map's axes; symmetric, positive definite.
+     *  */
     mrpt::math::CMatrixDouble33 information;
 };
 

@@ -23,7 +23,8 @@ struct OptimizedPoses
 struct OptimizationLimits
 {
     int max_iterations = 50;  ///< of one least-squares problem
-    /** Quantile of chi2 up to which a loop (6 degrees of freedom) and a prior (3) is fully trusted. */
+    /** Quantile of chi2 up to which a loop (6 degrees of freedom) and a prior (3) is fully trusted.
+     *  */
     double loop_confidence = 0.999;
 };
 

@@ -120,7 +120,6 @@ class NodeLoops
     TGraphOptions graph_options_;
     LoopClosureStream stream_;
     TrajectoryBuilder trajectory_;
-    std::uint64_t moments_ = 0;
     std::vector<Node> nodes_;
     std::map<FrameId, SeenFrame> frames_;
     std::vector<MeasuredLoop> waiting_;

@@ -17,8 +17,8 @@ struct TIndexOptions : Options
 {
     /** psi: a frame can be a candidate only when it is at least this old. Seconds. */
     double delay_seconds = 40;
-    /** phi, frames a second of one camera: when positive the delay is psi x phi frames, as the paper
-     *  counts it, whatever the time stamps say. 0: the delay is measured by time stamps. */
+    /** phi, frames a second of one camera: when positive the delay is psi x phi frames, as the
+     *  paper counts it, whatever the time stamps say. 0: the delay is measured by time stamps. */
     double frame_rate = 0;
     /** A camera that has shown the same view for so long, seconds, stands still: its frames are no
      *  candidates, and the delay waits until it moves. Else a robot that stops for longer than the

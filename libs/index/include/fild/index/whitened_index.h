@@ -23,8 +23,8 @@ class Whitening;
  *  multiplications. Before that it is the inner index as it is. Deterministic.
  *
  *  A map of more than 4096 frames is not filled again at once: each insertion then does five more,
- *  and what was learnt counts when the map has a quarter more frames. It is learnt from at most 16384
- *  frames, evenly over the map. */
+ *  and what was learnt counts when the map has a quarter more frames. It is learnt from at most
+ *  16384 frames, evenly over the map. */
 class WhitenedIndex : public PlaceIndex
 {
  public:

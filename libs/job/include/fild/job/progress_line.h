@@ -25,9 +25,16 @@ class ProgressLine
     bool is_due(double fraction);
     double seconds() const;
 
-    bool quiet_;
+    enum class Output
+    {
+        none,
+        terminal,
+        file
+    };
+    static Output output_for(bool quiet);
+
+    Output output_;
     std::string found_;
-    bool on_terminal_;
     bool written_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double first_fraction_ = -1;  ///< of the first update: a block of the rawlog is read ahead

@@ -88,12 +88,15 @@ class MapBuilder
 
     /** The map of all so far.
      *  \param places  of the stream that gave the outcomes, with the same options.
-     *  \param go_on  called again and again, by several threads at a time; what it throws ends the
+     *  \param check_cancelled  called again and again, by several threads at a time; what it throws
+     *  ends the
      *         work and is thrown on.
      *  \param times receives "trajectory", "visual_odometry", "motion_agreement", "motion_depth",
      *         "graph", and the stages of the pairs of frames that were looked at. */
     Map build(
-        const PlaceMap& places, StageTimes& times, const GoOn& go_on = [] {}) const;
+        const PlaceMap& places,
+        StageTimes& times,
+        const CheckCancelled& check_cancelled = [] {}) const;
 
  private:
     struct Loop
@@ -103,13 +106,17 @@ class MapBuilder
         std::optional<RelativePose> pose;
     };
 
-    Trajectory image_motion(const PlaceMap& places, StageTimes& times, const GoOn& go_on) const;
+    Trajectory image_motion(const PlaceMap& places,
+                            StageTimes& times,
+                            const CheckCancelled& check_cancelled) const;
     LoopEdge edge_of(const Loop& loop, const PlaceMap& places) const;
     void scale_by_motion(Map& map,
                          const PlaceMap& places,
                          StageTimes& times,
-                         const GoOn& go_on) const;
-    void solve(Map& map, const MotionEstimate& estimate, const GoOn& go_on) const;
+                         const CheckCancelled& check_cancelled) const;
+    void solve(Map& map,
+               const MotionEstimate& estimate,
+               const CheckCancelled& check_cancelled) const;
 
     TDetectorOptions detector_options_;
     TGraphOptions graph_options_;

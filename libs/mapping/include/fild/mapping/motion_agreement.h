@@ -28,7 +28,8 @@ struct MotionAgreement
      *  larger, degrees. */
     Quartiles direction_error_deg;
     /** The same if each camera's pose were followed by the turn from the axes of a robot (x
-     *  forward, z up) to those of a camera (z forward, y down): the turn that is easily forgotten. */
+     *  forward, z up) to those of a camera (z forward, y down): the turn that is easily forgotten.
+     *  */
     Quartiles turned_direction_error_deg;
     /** Length of a movement by the images, divided by that of the trajectory: only with depths. */
     Quartiles length_ratio;
@@ -51,6 +52,6 @@ MotionAgreement compare_motions(const PlaceMap& places,
                                 const Trajectory& trajectory,
                                 const TDetectorOptions& options,
                                 StageTimes& times,
-                                const GoOn& go_on);
+                                const CheckCancelled& check_cancelled);
 
 }  // namespace fild

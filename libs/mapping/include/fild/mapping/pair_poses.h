@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/core/cancellation.h"
 #include "fild/core/stage_times.h"
 #include "fild/detector/pair_verifier.h"
 #include "fild/geometry/relative_pose.h"
@@ -39,15 +40,12 @@ class PairPoses
  *  half the share of them that is asked of a loop. */
 TDetectorOptions without_doubt(const TDetectorOptions& options);
 
-/** Throws when a long work shall end. */
-using GoOn = std::function<void()>;
-
 /** parallel_for() whose bodies time their stages: the times are added up in the order of i.
- *  \param go_on  called before each body. */
+ *  \param check_cancelled  called before each body. */
 void timed_parallel_for(int num_threads,
                         std::size_t count,
                         StageTimes& times,
-                        const GoOn& go_on,
+                        const CheckCancelled& check_cancelled,
                         const std::function<void(std::size_t, StageTimes&)>& body);
 
 }  // namespace fild

@@ -22,7 +22,7 @@ namespace fild
  *  \param end  the first frame that is not looked at.
  *  \param max_speed_m_per_s  a motion that is faster by the time stamps, and longer than a metre,
  *         is taken for wrong.
- *  \param go_on  as MapBuilder::build().
+ *  \param check_cancelled  as MapBuilder::build().
  *  \param times receives "visual_odometry", and within it "matching", "verification",
  *         "relative_pose" and "motion_depth".
  *  \return none when no frame has depths. */
@@ -31,6 +31,6 @@ std::vector<MeasuredMotion> visual_odometry(const PlaceMap& places,
                                             const TDetectorOptions& options,
                                             double max_speed_m_per_s,
                                             StageTimes& times,
-                                            const GoOn& go_on);
+                                            const CheckCancelled& check_cancelled);
 
 }  // namespace fild

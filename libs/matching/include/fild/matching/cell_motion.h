@@ -28,9 +28,9 @@ struct CellMotion
 };
 
 /** A cell of the query is matched when its nearest cell of the candidate has it as nearest, too; it
- *  agrees when two or more of the eight cells about it are matched and have moved as it has, to within
- *  one row and one column. Chance leaves few: what is alike stands in another order.
- *  Costs cells x cells code comparisons. Deterministic: among equal distances the lower index wins.
+ *  agrees when two or more of the eight cells about it are matched and have moved as it has, to
+ *  within one row and one column. Chance leaves few: what is alike stands in another order. Costs
+ *  cells x cells code comparisons. Deterministic: among equal distances the lower index wins.
  *  \return an empty motion when either image has no cells.
  *  \throw std::invalid_argument when the codes differ in length. */
 CellMotion cell_motion(const CellCodes& query, const CellCodes& candidate);

@@ -12,11 +12,11 @@ namespace fild
 {
 /** Turns local descriptors into binary codes by random projections, the locality sensitive hash
  *  family of FILD (IROS 2019) Eq. (5): bit s of a descriptor x is 1 when
- *  p_s . (x - mean) / deviation > 0, with p_s of independent normal numbers. With options.rooted, x is
- *  the signed square root of the descriptor, brought to unit norm.
+ *  p_s . (x - mean) / deviation > 0, with p_s of independent normal numbers. With options.rooted, x
+ *  is the signed square root of the descriptor, brought to unit norm.
  *
- *  Mean and deviation are the same for all images; the authors' published code subtracts each image's
- *  own mean, after which codes of different images do not compare. Const members may run
+ *  Mean and deviation are the same for all images; the authors' published code subtracts each
+ *  image's own mean, after which codes of different images do not compare. Const members may run
  *  concurrently. */
 class CodeHasher
 {

@@ -16,9 +16,9 @@ enum class CodeSearch
 /** Section [hashing]: binary codes of local descriptors and how they are matched. */
 struct THashingOptions : Options
 {
-    /** Signed square roots of the descriptors' numbers are hashed, each divided by its deviation, so
-     *  that a few large sums do not outweigh all others (Arandjelovic & Zisserman, CVPR 2012). Not in
-     *  the paper. */
+    /** Signed square roots of the descriptors' numbers are hashed, each divided by its deviation,
+     *  so that a few large sums do not outweigh all others (Arandjelovic & Zisserman, CVPR 2012).
+     *  Not in the paper. */
     bool rooted = false;
     int bits = 256;  ///< m: bits of a code, a multiple of 32
     CodeSearch search = CodeSearch::exhaustive;

@@ -15,7 +15,8 @@ namespace fild
 class PlaceMap
 {
  public:
-    /** \throw std::invalid_argument when the frame does not come after those that are in the map. */
+    /** \throw std::invalid_argument when the frame does not come after those that are in the map.
+     *  */
     void append(FrameId frame, Place place);
 
     /** Null for a frame that could not be used, or is not there yet. */
@@ -24,14 +25,15 @@ class PlaceMap
     /** \throw std::out_of_range where find() is null. */
     const Place& at(FrameId frame) const;
 
-    /** The next frame of the same camera at which that camera did not stand still; none at the ends.
+    /** The next frame of the same camera at which that camera did not stand still; none at the
+     *  ends.
      *  \throw std::out_of_range as at(). */
     std::optional<FrameId> after(FrameId frame) const;
     /** As after(), backwards. */
     std::optional<FrameId> before(FrameId frame) const;
 
-    /** The frame of a camera at the same instant; the frame itself where that camera has none, or stands
-     *  still.
+    /** The frame of a camera at the same instant; the frame itself where that camera has none, or
+     *  stands still.
      *  \throw std::out_of_range as at(). */
     FrameId seen_by(const std::string& camera, FrameId frame) const;
 

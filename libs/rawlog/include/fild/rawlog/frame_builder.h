@@ -55,10 +55,10 @@ class FrameBuilder
     /** The frame of an accepted observation. One that cannot be used has Frame::defect:
      *  missing_image, unsupported_image, image_size_changed (it cannot be brought to the size of
      *  this camera's first image) or repeated_timestamp (it has time stamp and pixels of this
-     *  camera's observation before: recorded twice). An observation without a time stamp takes that of this camera's frame
-     *  before; 0 when there is none. Images of 16 bits are reduced to 8. A label that is not UTF-8
-     *  is taken for Latin-1.
-     *  An embedded image that needs no undistortion is shared with the observation, not copied.
+     *  camera's observation before: recorded twice). An observation without a time stamp takes that
+     *  of this camera's frame before; 0 when there is none. Images of 16 bits are reduced to 8. A
+     *  label that is not UTF-8 is taken for Latin-1. An embedded image that needs no undistortion
+     *  is shared with the observation, not copied.
      *
      *  All frames of a camera have the size of its first image. One of another size, as a second
      *  session with another camera mode has, is scaled to it. Where the aspect ratios differ by

@@ -24,6 +24,9 @@ enum class ImageLayout
 /** Every layout with the word a user writes for it, `list` first. */
 const std::vector<std::pair<std::string, ImageLayout>>& layout_words();
 
+/** \throw std::invalid_argument for another word. */
+ImageLayout layout_named(const std::string& word);
+
 /** What a user says of a recording on disk. Value type. */
 struct LayoutRequest
 {

@@ -28,6 +28,9 @@ struct ImageRawlogSummary
     std::string ground_truth_path;  ///< empty when the recording has no path of the robot
 };
 
+/** For the user, a line or two. */
+std::string to_text(const ImageRawlogSummary& summary);
+
 /** Writes a recording into a gzipped rawlog, an observation a frame: CObservationImage,
  *  CObservationStereoImages for a stereo pair, CObservation3DRangeScan for an image with depth. Of
  *  two cameras that recorded by themselves, each image is a CObservationImage, in the order of

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "fild/rawlog/paired_observations.h"
 #include "fild/rawlog/rawlog_reader.h"
-#include "fild/rawlog/stereo_pairing.h"
 
-#include <deque>
 #include <exception>
 #include <memory>
 #include <string>
@@ -28,13 +27,12 @@ class PairedRawlog
     double fraction_read() const { return reader_.fraction_read(); }
 
  private:
+    void read_on();
+
     RawlogReader reader_;
-    StereoPairing pairing_;
-    std::deque<std::shared_ptr<mrpt::obs::CObservation>> ready_;
+    PairedObservations observations_;
     bool has_ended_ = false;
     std::exception_ptr damage_;
-
-    void read_on();
 };
 
 }  // namespace fild

@@ -48,10 +48,10 @@ struct RawlogEntry
  *  MRPT trusts the sizes in a file: one flipped bit can end the process, or take all its memory. So
  *  a process of its own, a fork of this one, makes objects of each entry first, with little memory
  *  and 10 s of computing time; only the bytes of an entry that passes come here. As after any fork,
- *  locks that other threads hold at that moment stay locked in it: one that waits for such a lock is
- *  replaced after some seconds, twice at most; a program with threads should make its readers before
- *  them. The process ends with the reader, which sends the program a SIGCHLD.
- *  Not thread-safe: one caller at a time. */
+ *  locks that other threads hold at that moment stay locked in it: one that waits for such a lock
+ *  is replaced after some seconds, twice at most; a program with threads should make its readers
+ *  before them. The process ends with the reader, which sends the program a SIGCHLD. Not
+ *  thread-safe: one caller at a time. */
 class RawlogReader
 {
  public:

@@ -82,8 +82,8 @@ struct MapPicture
 
 /** A map as a scene: the way before and after the optimisation and in truth, loop closures coloured
  *  by inliers or weight or, where the truth about them is known, as right, wrong and doubtful with
- *  the missed ones as rings, rejected pairs faint, cameras, start and end, over a grid on the ground
- *  whose lines are labelled in metres.
+ *  the missed ones as rings, rejected pairs faint, cameras, start and end, over a grid on the
+ *  ground whose lines are labelled in metres.
  *
  *  Draws through OffscreenRenderer: without screen, GPU or window, bound to the thread that made
  *  it. Deterministic. */

@@ -36,9 +36,9 @@ struct CameraPair
 
 /** Draws query and candidate side by side or, where they are then larger, one above the other:
  *  marks on every inlier, thin lines between some of them, evenly over the images, and captions
- *  with frames, times, similarity, matches, inliers and support. Colours run along the side that the images
- *  share, in an order that colour-blind readers can follow, so that a line that leaves its
- *  neighbours shows. Deterministic. Thread-safe.
+ *  with frames, times, similarity, matches, inliers and support. Colours run along the side that
+ *  the images share, in an order that colour-blind readers can follow, so that a line that leaves
+ *  its neighbours shows. Deterministic. Thread-safe.
  *  \return 8 bit BGR, TRenderOptions::match_picture_width_px wide or less: larger images are scaled
  *          down, and those less than 500 pixels wide up to that.
  *  \throw std::invalid_argument when an image is empty or the verdict names no candidate. */

@@ -32,7 +32,8 @@ struct CostRow
 {
     FrameId frame{};
     /** Wall time, milliseconds, in the order of kFrameStages; 0 for a stage that the frame did not
-     *  reach. Stages that run side by side count in full: their sum can be more than whole_frame. */
+     *  reach. Stages that run side by side count in full: their sum can be more than whole_frame.
+     *  */
     std::array<double, kFrameStages.size()> stage_ms{};
     std::size_t map_bytes = 0;  ///< held for later frames
     std::optional<std::size_t> resident_bytes;  ///< of the process; nothing where it is not known

@@ -14,8 +14,8 @@
 
 namespace fild
 {
-/** A column of a CSV file of rows: what it is called, how it is written and how it is read. Each file
- *  of a run declares its columns once, for its writer and its reader. */
+/** A column of a CSV file of rows: what it is called, how it is written and how it is read. Each
+ *  file of a run declares its columns once, for its writer and its reader. */
 template <class Row>
 struct CsvColumn
 {
@@ -36,9 +36,9 @@ void append_columns(CsvColumns<Row>& columns, const CsvColumns<Base>& more)
         columns.push_back({column.name, column.text, column.parse, column.required});
 }
 
-/** Writes rows (RFC 4180, LF line ends) to a file that appears when it is whole. Each row is handed to
- *  the system at once, so that it survives the end of the process. Not thread-safe: one caller at a
- *  time. */
+/** Writes rows (RFC 4180, LF line ends) to a file that appears when it is whole. Each row is handed
+ *  to the system at once, so that it survives the end of the process. Not thread-safe: one caller
+ *  at a time. */
 template <class Row>
 class CsvWriter
 {
@@ -72,8 +72,8 @@ class CsvWriter
     CsvColumns<Row> columns_;
 };
 
-/** Hands each row of a file to `take`, with the reader for errors. The columns may stand in any order,
- *  and there may be others.
+/** Hands each row of a file to `take`, with the reader for errors. The columns may stand in any
+ *  order, and there may be others.
  *  \throw std::runtime_error naming file and line: unreadable, a required column that is missing, a
  *         row of another length, a field that is not what its column holds. */
 template <class Row, class Take>

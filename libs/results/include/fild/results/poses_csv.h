@@ -23,14 +23,16 @@ struct PoseRow
     PoseNumbers optimized{};  ///< after them
 };
 
-/** `frame,input_x,...,input_qw,optimized_x,...,optimized_qw`, each number with all its digits. A frame
- *  without a pose has no row. */
+/** `frame,input_x,...,input_qw,optimized_x,...,optimized_qw`, each number with all its digits. A
+ *  frame without a pose has no row. */
 CsvColumns<PoseRow> poses_csv_columns();
 
-/** The row of each frame of a run, with quaternions of length 1; nothing for a frame without a pose.
- *  The key is the number of the frame, so that every pose finds its frame, whatever the time stamps are.
+/** The row of each frame of a run, with quaternions of length 1; nothing for a frame without a
+ *  pose. The key is the number of the frame, so that every pose finds its frame, whatever the time
+ *  stamps are.
  *  \param frames  of the run.
- *  \throw std::runtime_error as read_csv(), and for a frame that the run has not, or a quaternion that
+ *  \throw std::runtime_error as read_csv(), and for a frame that the run has not, or a quaternion
+ *  that
  *         is not of length 1 within 0.01. */
 std::vector<std::optional<PoseRow>> read_poses_csv(const std::string& path, std::size_t frames);
 

@@ -9,10 +9,9 @@
 #include "fild/places/place_map.h"
 #include "fild/rawlog/frame_builder.h"
 #include "fild/rawlog/input_options.h"
-#include "fild/rawlog/stereo_pairing.h"
+#include "fild/rawlog/paired_observations.h"
 
 #include <cstddef>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,9 +67,9 @@ struct FedFrame
  *  metric pose (DetectorOutcome::pose).
  *  Deterministic: the same observations and options give the same verdicts, with any num_threads.
  *  OpenCV's own threads change the last digits of the global descriptor (see
- *  GlobalDescriptorExtractor): a program that wants the verdicts of rawlog-loop-closure, or the same
- *  ones on computers with more or fewer cores, calls cv::setNumThreads(1) before.
- *  Not thread-safe: one caller at a time. */
+ *  GlobalDescriptorExtractor): a program that wants the verdicts of rawlog-loop-closure, or the
+ *  same ones on computers with more or fewer cores, calls cv::setNumThreads(1) before. Not
+ *  thread-safe: one caller at a time. */
 class LoopClosureStream
 {
  public:
@@ -99,7 +98,7 @@ class LoopClosureStream
     /** After drain(): the verdicts that still wait for later frames. */
     std::vector<DetectorOutcome> finish();
 
-    const StereoPairing& pairing() const { return pairing_; }
+    const StereoPairing& pairing() const { return observations_.pairing(); }
     const FrameBuilder& frames() const { return frames_; }
     const LoopDetector& detector() const { return detector_; }
     /** What is kept of every frame that could be used. */
@@ -113,8 +112,7 @@ class LoopClosureStream
     std::optional<FedFrame> look_at(const mrpt::obs::CObservation& observation);
     std::vector<DetectorOutcome> with_poses(std::vector<DetectorOutcome> outcomes);
 
-    StereoPairing pairing_;
-    std::deque<std::shared_ptr<mrpt::obs::CObservation>> ready_;
+    PairedObservations observations_;
     FrameBuilder frames_;
     FrameDescriber describer_;
     PlaceMap places_;

@@ -25,7 +25,8 @@ std::vector<RouteLine> route_lines(const std::vector<RoutePose>& route);
 
 /** The whole town as seen from the air, with the routes driven through it, an arrow on each every
  *  50 m, start, end and a legend; lines of one name share their colour. The heading at the start is
- *  to the right, as the x axis is on the map of a run that begins there. \return 8 bit BGR, `width` pixels wide.
+ *  to the right, as the x axis is on the map of a run that begins there. \return 8 bit BGR, `width`
+ *  pixels wide.
  */
 cv::Mat draw_birds_eye(Town& town,
                        const std::vector<RouteLine>& routes,

@@ -39,6 +39,12 @@ enum class Preset
     large  ///< four laps round the largest town, some 2,100 frames of 640x480
 };
 
+/** The enumerators' names, in their order. */
+std::vector<std::string> preset_names();
+
+/** \throw std::invalid_argument for a name that no preset has. */
+Preset preset_named(const std::string& name);
+
 /** The options of a preset; all that it does not need otherwise have their defaults. */
 TSyntheticOptions options_of(Preset preset);
 

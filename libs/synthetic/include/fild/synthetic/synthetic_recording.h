@@ -19,12 +19,13 @@ constexpr double kRecordingStart = 1577836800;
 using DrawView = std::function<RenderedView(
     const CameraModel&, const mrpt::poses::CPose3D& map_from_camera, const LapConditions&)>;
 
-/** Threads that draw beside the calling one: with n of them each thread draws every (n + 1)-th frame. */
+/** Threads that draw beside the calling one: with n of them each thread draws every (n + 1)-th
+ *  frame. */
 struct DrawingHelpers
 {
     std::size_t count = 0;
-    /** Called once in each thread; what it returns is used and destroyed there, and must draw what the
-     *  caller's DrawView draws. May be empty when count is 0. */
+    /** Called once in each thread; what it returns is used and destroyed there, and must draw what
+     *  the caller's DrawView draws. May be empty when count is 0. */
     std::function<DrawView()> make{};
 };
 
@@ -50,13 +51,17 @@ struct SyntheticSummary
     std::vector<std::string> paths;  ///< of all that was made, the rawlog first
 };
 
+/** A line for the user. */
+std::string to_text(const SyntheticSummary& summary);
+
 /** Drives plan_route() through a town and records what the sensors measure.
  *
  *  Beside `NAME.rawlog` come, all or none of them: `NAME_Images` with a JPEG for each image (unless
  *  embedded); `NAME.gt.tum` with the true pose of the robot for each frame: "timestamp x y z qx qy
  *  qz qw"; and `NAME.loops.txt`, see OverlapLoops. Nothing appears under its name before all is
  *  done. Holds a frame, two more for each helper, and the points of OverlapLoops in memory.
- *  Deterministic: the same options, grid and drawing give the same bytes, with any number of helpers.
+ *  Deterministic: the same options, grid and drawing give the same bytes, with any number of
+ *  helpers.
  *  \throw std::invalid_argument on bad options, or a path that does not end in ".rawlog".
  *  \throw std::runtime_error naming the file: one of them exists already; disk full.
  *  Throws what `draw` throws in any thread. */
