@@ -15,7 +15,8 @@ packages=(
   libmrpt-system-dev libmrpt-tclap-dev
   libosmesa6-dev                        # off-screen drawing
   libceres-dev                          # pose graph optimisation
-  libopencv-dev                         # images, network inference, fundamental matrix
+  libopencv-dev                         # images, fundamental matrix, networks that oneDNN does not run
+  libdnnl-dev                           # network inference
   libhnswlib-dev                        # proximity graph
   libeigen3-dev                         # whitening of descriptors, poses, alignment of trajectories
   libmatio-dev                          # ground truth in MATLAB files

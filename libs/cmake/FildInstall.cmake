@@ -14,6 +14,7 @@ install(FILES
   libs/cmake/FindOSMesa.cmake
   libs/cmake/Findhnswlib.cmake
   libs/cmake/Findmatio.cmake
+  libs/cmake/FindoneDNN.cmake
   DESTINATION ${FILD_CMAKE_DIR})
 install(DIRECTORY config-ini DESTINATION ${CMAKE_INSTALL_DATADIR}/mrpt-fild)
 # Error messages name datasets-scripts/get-model.sh: whoever installed has it too.

@@ -26,7 +26,8 @@ inline double squared_distance(const float* a, const float* b, double at_most)
     return sum;
 }
 
-/** Nearest neighbours of the queries among the candidates, by exhaustive search, kept when nearest <= ratio * second nearest (Lowe). ratio = 1 keeps all. */
+/** Nearest neighbours of the queries among the candidates, by exhaustive search, kept when nearest
+ *  <= ratio * second nearest (Lowe). ratio = 1 keeps all. */
 inline std::vector<DescriptorMatch> match_by_ratio(const LocalFeatures& queries,
                                                    const LocalFeatures& candidates,
                                                    double ratio)

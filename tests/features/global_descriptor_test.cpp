@@ -10,6 +10,7 @@
 
 namespace
 {
+using fild::Backend;
 using fild::ChannelOrder;
 using fild::GlobalDescriptorExtractor;
 using fild::Pooling;
@@ -20,9 +21,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /** The network of make_tiny_network.py, fed with plain pixel values. */
-TGlobalDescriptorOptions tiny_network()
+TGlobalDescriptorOptions tiny_network(Backend backend = Backend::onednn)
 {
     TGlobalDescriptorOptions options;
+    options.backend = backend;
     options.model_file = FILD_TINY_NETWORK;
     options.layers = "map";
     options.input_width = 4;
@@ -61,8 +63,21 @@ void expect_near(const std::vector<float>& actual, const std::vector<float>& exp
     for (std::size_t i = 0; i < actual.size(); ++i) EXPECT_NEAR(actual[i], expected[i], 1e-5) << i;
 }
 
+/** With either backend. */
+class GlobalDescriptor : public ::testing::TestWithParam<Backend>
+{
+ protected:
+    static TGlobalDescriptorOptions tiny_network() { return ::tiny_network(GetParam()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends,
+                         GlobalDescriptor,
+                         ::testing::Values(Backend::onednn, Backend::opencv),
+                         [](const auto& backend)
+                         { return backend.param == Backend::onednn ? "onednn" : "opencv"; });
+
 // BGR (10, 20, 30) is r = 30, g = 20, b = 10; the map's channels are c0 and c1 + 2 c2.
-TEST(GlobalDescriptor, FeedsChannelsInTheOrderAsked)
+TEST_P(GlobalDescriptor, FeedsChannelsInTheOrderAsked)
 {
     const cv::Mat image(4, 4, CV_8UC3, cv::Scalar(10, 20, 30));
     auto options = tiny_network();
@@ -71,7 +86,7 @@ TEST(GlobalDescriptor, FeedsChannelsInTheOrderAsked)
     expect_near(extract(options, image), unit({10, 20 + 2 * 30}));
 }
 
-TEST(GlobalDescriptor, SubtractsTheMeanThenScales)
+TEST_P(GlobalDescriptor, SubtractsTheMeanThenScales)
 {
     const cv::Mat image(4, 4, CV_8UC3, cv::Scalar(10, 20, 30));
     auto options = tiny_network();
@@ -80,13 +95,13 @@ TEST(GlobalDescriptor, SubtractsTheMeanThenScales)
     expect_near(extract(options, image), unit({1, 2 + 2 * 3}));
 }
 
-TEST(GlobalDescriptor, AveragesOverTheMap)
+TEST_P(GlobalDescriptor, AveragesOverTheMap)
 {
     const auto image = two_halves({0, 0, 40}, {0, 40, 0});
     expect_near(extract(tiny_network(), image), unit({20, 20}));
 }
 
-TEST(GlobalDescriptor, TakesTheGeneralisedMean)
+TEST_P(GlobalDescriptor, TakesTheGeneralisedMean)
 {
     const auto image = two_halves({0, 0, 40}, {0, 20, 20});
     auto options = tiny_network();
@@ -96,7 +111,7 @@ TEST(GlobalDescriptor, TakesTheGeneralisedMean)
                 unit({std::sqrt((1600. + 400) / 2), std::sqrt((0. + 400) / 2)}));
 }
 
-TEST(GlobalDescriptor, NormalisesEachCellOfTheGrid)
+TEST_P(GlobalDescriptor, NormalisesEachCellOfTheGrid)
 {
     const auto image = two_halves({0, 0, 40}, {0, 4, 3});
     auto options = tiny_network();
@@ -106,7 +121,7 @@ TEST(GlobalDescriptor, NormalisesEachCellOfTheGrid)
     expect_near(extract(options, image), unit({1, 0, 0.6, 0.8}));
 }
 
-TEST(GlobalDescriptor, ConcatenatesLayersNormalisedEach)
+TEST_P(GlobalDescriptor, ConcatenatesLayersNormalisedEach)
 {
     const cv::Mat image(4, 4, CV_8UC3, cv::Scalar(0, 40, 30));
     auto options = tiny_network();
@@ -114,34 +129,34 @@ TEST(GlobalDescriptor, ConcatenatesLayersNormalisedEach)
     expect_near(extract(options, image), unit({0.6, 0.8, 0.6, 0.8}));
 }
 
-TEST(GlobalDescriptor, TakesGreyAsThreeEqualChannels)
+TEST_P(GlobalDescriptor, TakesGreyAsThreeEqualChannels)
 {
     const cv::Mat image(4, 4, CV_8UC1, cv::Scalar(10));
     expect_near(extract(tiny_network(), image), unit({10, 30}));
 }
 
-TEST(GlobalDescriptor, TakesImagesOfAnySize)
+TEST_P(GlobalDescriptor, TakesImagesOfAnySize)
 {
     for (const auto& size : {cv::Size(1, 1), cv::Size(640, 3), cv::Size(3, 640)})
         expect_near(extract(tiny_network(), cv::Mat(size, CV_8UC3, cv::Scalar(0, 40, 30))),
                     unit({30, 40}));
 }
 
-TEST(GlobalDescriptor, OfABlackImageIsAllZeroWithoutBias)
+TEST_P(GlobalDescriptor, OfABlackImageIsAllZeroWithoutBias)
 {
     expect_near(extract(tiny_network(), cv::Mat::zeros(4, 4, CV_8UC3)), {0, 0});
 }
 
-TEST(GlobalDescriptor, RefusesOtherKindsOfImages)
+TEST_P(GlobalDescriptor, RefusesOtherKindsOfImages)
 {
     GlobalDescriptorExtractor extractor(tiny_network());
     EXPECT_THROW(extractor.extract(cv::Mat()), std::invalid_argument);
     EXPECT_THROW(extractor.extract(cv::Mat(4, 4, CV_16UC1)), std::invalid_argument);
 }
 
-// The left half is (30, 20 + 2 x 10), the right half (60, 40 + 2 x 80): each channel has two values,
-// which become -1 and 1.
-TEST(GlobalDescriptor, TellsWhatTheNetworkSeesInEachCell)
+// The left half is (30, 20 + 2 x 10), the right half (60, 40 + 2 x 80): each channel has two
+// values, which become -1 and 1.
+TEST_P(GlobalDescriptor, TellsWhatTheNetworkSeesInEachCell)
 {
     auto options = tiny_network();
     options.cell_layer = "map";
@@ -160,7 +175,7 @@ TEST(GlobalDescriptor, TellsWhatTheNetworkSeesInEachCell)
     EXPECT_EQ(GlobalDescriptorExtractor(options).extract(image).cells.size(), 0U);
 }
 
-TEST(GlobalDescriptor, ChannelsThatDoNotVaryTellNothing)
+TEST_P(GlobalDescriptor, ChannelsThatDoNotVaryTellNothing)
 {
     auto options = tiny_network();
     options.cell_layer = "map";
@@ -172,7 +187,7 @@ TEST(GlobalDescriptor, ChannelsThatDoNotVaryTellNothing)
 
 /** A network of Caffe's that averages each input channel; it has no weights, so that its weights
  * file holds only the network's name (field 1 of caffe.NetParameter). */
-TEST(GlobalDescriptor, ReadsCaffeNetworks)
+TEST(OpenCvNetwork, ReadsCaffeNetworks)
 {
     const fild::testing::TemporaryFolder folder;
     fild::testing::write_text(folder.path("mean.prototxt"),
@@ -182,7 +197,7 @@ TEST(GlobalDescriptor, ReadsCaffeNetworks)
                               "layer { name: 'mean' type: 'Pooling' bottom: 'data' top: 'mean'\n"
                               "  pooling_param { pool: AVE global_pooling: true } }\n");
     fild::testing::write_text(folder.path("mean.caffemodel"), "\n\x04mean");
-    auto options = tiny_network();
+    auto options = tiny_network(Backend::opencv);
     options.model_file = folder.path("mean.caffemodel");
     options.caffe_prototxt_file = folder.path("mean.prototxt");
     options.layers = "mean";
@@ -195,7 +210,7 @@ std::string construction_error(const TGlobalDescriptorOptions& options)
     return message_of<std::runtime_error>([&] { GlobalDescriptorExtractor extractor(options); });
 }
 
-TEST(GlobalDescriptor, NamesTheCommandThatGetsAMissingModel)
+TEST_P(GlobalDescriptor, NamesTheCommandThatGetsAMissingModel)
 {
     auto options = tiny_network();
     options.model_file = "/no/such/model.onnx";
@@ -203,10 +218,10 @@ TEST(GlobalDescriptor, NamesTheCommandThatGetsAMissingModel)
     EXPECT_THAT(construction_error(options), HasSubstr("datasets-scripts/get-model.sh"));
 }
 
-TEST(GlobalDescriptor, BlamesTheMissingOrBadFileOfACaffeNetwork)
+TEST(OpenCvNetwork, BlamesTheMissingOrBadFileOfACaffeNetwork)
 {
     const fild::testing::TemporaryFolder folder;
-    auto options = tiny_network();
+    auto options = tiny_network(Backend::opencv);
     options.caffe_prototxt_file = "/no/such/mean.prototxt";
     EXPECT_THAT(construction_error(options),
                 AllOf(HasSubstr("/no/such/mean.prototxt is not there"),
@@ -217,7 +232,7 @@ TEST(GlobalDescriptor, BlamesTheMissingOrBadFileOfACaffeNetwork)
     EXPECT_THAT(construction_error(options), HasSubstr(options.caffe_prototxt_file));
 }
 
-TEST(GlobalDescriptor, RefusesAFileThatIsNoModel)
+TEST_P(GlobalDescriptor, RefusesAFileThatIsNoModel)
 {
     const fild::testing::TemporaryFolder folder;
     fild::testing::write_text(folder.path("model.onnx"), "not a model");
@@ -226,8 +241,9 @@ TEST(GlobalDescriptor, RefusesAFileThatIsNoModel)
     EXPECT_THAT(construction_error(options), HasSubstr("cannot read " + options.model_file));
 }
 
-// OpenCV 4.6 looks for the weights of a layer by their name, and does not look whether they are there.
-TEST(GlobalDescriptor, RefusesADamagedModelThatCrashesOpenCv)
+// OpenCV 4.6 looks for the weights of a layer by their name, and does not look whether they are
+// there.
+TEST(OpenCvNetwork, RefusesADamagedModelThatCrashesOpenCv)
 {
     const fild::testing::TemporaryFolder folder;
     auto bytes = fild::testing::read_text(FILD_TINY_NETWORK);
@@ -235,14 +251,14 @@ TEST(GlobalDescriptor, RefusesADamagedModelThatCrashesOpenCv)
     ASSERT_NE(name, std::string::npos);
     bytes[name] = 'v';
     fild::testing::write_text(folder.path("damaged.onnx"), bytes);
-    auto options = tiny_network();
+    auto options = tiny_network(Backend::opencv);
     options.model_file = folder.path("damaged.onnx");
     EXPECT_THAT(
         construction_error(options),
         ::testing::AllOf(HasSubstr("cannot read " + options.model_file), HasSubstr("signal")));
 }
 
-TEST(GlobalDescriptor, NamesALayerThatIsNotThere)
+TEST_P(GlobalDescriptor, NamesALayerThatIsNotThere)
 {
     auto options = tiny_network();
     options.cell_layer = "cell";
@@ -253,7 +269,7 @@ TEST(GlobalDescriptor, NamesALayerThatIsNotThere)
     EXPECT_THAT(construction_error(options), HasSubstr("vector"));
 }
 
-TEST(GlobalDescriptor, RefusesAModelOfAnotherDimension)
+TEST_P(GlobalDescriptor, RefusesAModelOfAnotherDimension)
 {
     auto options = tiny_network();
     options.dimension = 1280;
@@ -261,7 +277,7 @@ TEST(GlobalDescriptor, RefusesAModelOfAnotherDimension)
                 HasSubstr("descriptors of 2 numbers, but dimension=1280"));
 }
 
-TEST(GlobalDescriptor, RefusesAGridFinerThanTheMap)
+TEST_P(GlobalDescriptor, RefusesAGridFinerThanTheMap)
 {
     auto options = tiny_network();
     options.pooling = Pooling::grid;
@@ -278,6 +294,18 @@ TEST(GlobalDescriptorOptions, CheckTheMean)
         options.mean = mean;
         EXPECT_THROW(options.check(), std::invalid_argument) << mean;
     }
+}
+
+TEST(GlobalDescriptorOptions, RefuseWhatABackendCannotDo)
+{
+    auto options = tiny_network();
+    options.caffe_prototxt_file = "mean.prototxt";
+    EXPECT_THAT(message_of<std::invalid_argument>([&] { options.check(); }),
+                AllOf(HasSubstr("caffe_prototxt_file"), HasSubstr("backend = opencv")));
+    options = tiny_network(Backend::opencv);
+    options.precision = fild::Precision::bf16;
+    EXPECT_THAT(message_of<std::invalid_argument>([&] { options.check(); }),
+                AllOf(HasSubstr("precision = f32"), HasSubstr("backend = onednn")));
 }
 
 void set_variable(const char* name, const std::string& value)

@@ -225,8 +225,8 @@ Moments moments_of(const std::vector<float>& descriptors)
     return moments;
 }
 
-/** Means over the sums of one kind of subregion (2 outer sides: corner, 1: edge, 0: inner): of dx, of
- *  |dx|, of dy and of |dy|. */
+/** Means over the sums of one kind of subregion (2 outer sides: corner, 1: edge, 0: inner): of dx,
+ *  of |dx|, of dy and of |dy|. */
 std::array<double, 4> means_of_kind(const Numbers& descriptor, int outer_sides)
 {
     std::array<double, 4> sums{};

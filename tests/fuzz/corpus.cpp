@@ -330,7 +330,9 @@ std::vector<Sample> make_corpus(Kind kind, const std::string& folder)
         case Kind::list:
             return lists();
         case Kind::onnx:
-            return {{"", read_text(FILD_TINY_NETWORK), {}}};
+            return {{"onednn", read_text(FILD_TINY_NETWORK), {}},
+                    {"onednn", read_text(FILD_RESIDUAL_NETWORK), {}},
+                    {"opencv", read_text(FILD_TINY_NETWORK), {}}};
         case Kind::jpg:
             return images("jpg", folder);
         case Kind::png:

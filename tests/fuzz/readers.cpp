@@ -119,13 +119,14 @@ void read_list(const std::string& reader, const std::string& path)
     if (reader == "calibration") read_calibration_file(path);
 }
 
-void read_network(const std::string& path)
+void read_network(const std::string& reader, const std::string& path)
 {
     TGlobalDescriptorOptions options;
     options.model_file = path;
-    options.layers = "map";
-    options.input_width = 4;
-    options.input_height = 4;
+    options.backend = reader == "opencv" ? Backend::opencv : Backend::onednn;
+    options.layers = "vector";
+    options.input_width = 24;
+    options.input_height = 20;
     GlobalDescriptorExtractor network(options);
     if (network.extract(testing::draw_image()).global.empty()) throw Finding("an empty descriptor");
 }
@@ -167,7 +168,7 @@ void read_file(Kind kind,
             read_list(reader, path);
             break;
         case Kind::onnx:
-            read_network(path);
+            read_network(reader, path);
             break;
         case Kind::jpg:
         case Kind::png:

@@ -3,8 +3,10 @@
 // CVPR 2018).
 #include "fild/features/global_descriptor.h"
 
-#include "fild/core/trial_process.h"
 #include "fild/features/model_file.h"
+#include "network.h"
+#include "onednn_network.h"
+#include "opencv_network.h"
 #include "pooling.h"
 
 #include <opencv2/dnn.hpp>
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <new>
 #include <stdexcept>
 
 namespace fild
@@ -33,78 +34,6 @@ void require_files(const TGlobalDescriptorOptions& options)
         throw std::runtime_error("the file " + options.caffe_prototxt_file +
                                  " is not there; [global_descriptor] caffe_prototxt_file names it; "
                                  "leave it empty where model_file is an ONNX file");
-}
-
-/** The file or files of the network, for messages. */
-std::string files_of(const TGlobalDescriptorOptions& options)
-{
-    if (options.caffe_prototxt_file.empty()) return options.model_file;
-    return options.model_file + " with " + options.caffe_prototxt_file;
-}
-
-/** OpenCV's own words, of which the first line says what is wrong.
- *  \throw std::bad_alloc when that is a lack of memory. */
-std::string reason_of(const cv::Exception& error)
-{
-    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
-    return error.err.substr(0, error.err.find('\n'));
-}
-
-cv::dnn::Net read_network(const TGlobalDescriptorOptions& options)
-{
-    require_files(options);
-    try
-    {
-        auto net = options.caffe_prototxt_file.empty()
-                       ? cv::dnn::readNetFromONNX(options.model_file)
-                       : cv::dnn::readNetFromCaffe(options.caffe_prototxt_file, options.model_file);
-        net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
-        return net;
-    }
-    catch (const cv::Exception& error)
-    {
-        throw std::runtime_error("cannot read " + files_of(options) +
-                                 " as a network: " + reason_of(error));
-    }
-}
-
-std::string last_layers(const std::vector<cv::String>& names)
-{
-    constexpr std::size_t kShown = 8;
-    std::string last;
-    for (auto i = names.size() - std::min(names.size(), kShown); i < names.size(); ++i)
-        last += " '" + names[i] + "'";
-    return last;
-}
-
-/** The name under which OpenCV keeps the wanted layer: for ONNX it puts a prefix before the name of a
- *  node. */
-std::string find_layer(const cv::dnn::Net& net,
-                       const std::string& key,
-                       const std::string& wanted,
-                       const TGlobalDescriptorOptions& options)
-{
-    const auto known = net.getLayerNames();
-    const auto is_wanted = [&](const std::string& name)
-    { return name == wanted || name == "onnx_node!" + wanted; };
-    const auto name = std::find_if(known.begin(), known.end(), is_wanted);
-    if (name == known.end())
-        throw std::runtime_error("[global_descriptor] " + key + ": " + options.model_file +
-                                 " has no layer '" + wanted + "'; its last are" +
-                                 last_layers(known));
-    return *name;
-}
-
-/** The layers of the descriptor, then that of the cells. */
-std::vector<std::string> find_layers(const cv::dnn::Net& net,
-                                     const TGlobalDescriptorOptions& options)
-{
-    std::vector<std::string> found;
-    for (const auto& wanted : options.layer_names())
-        found.push_back(find_layer(net, "layers", wanted, options));
-    if (!options.cell_layer.empty())
-        found.push_back(find_layer(net, "cell_layer", options.cell_layer, options));
-    return found;
 }
 
 cv::Mat to_bgr(const cv::Mat& image)
@@ -134,27 +63,6 @@ cv::Mat to_blob(const cv::Mat& bgr, const TGlobalDescriptorOptions& options)
     return cv::dnn::blobFromImage(
         resized, options.scale, size, cv::Scalar(mean[0], mean[1], mean[2]), rgb);
 }
-/** The wanted layers' outputs for an image. */
-std::vector<cv::Mat> outputs_of(cv::dnn::Net& net,
-                                const std::vector<std::string>& layers,
-                                const cv::Mat& bgr,
-                                const TGlobalDescriptorOptions& options)
-{
-    std::vector<cv::Mat> outputs;
-    try
-    {
-        net.setInput(to_blob(bgr, options));
-        net.forward(outputs, layers);
-    }
-    catch (const cv::Exception& error)
-    {
-        throw std::runtime_error("[global_descriptor] " + options.model_file +
-                                 " does not run on an input of " +
-                                 std::to_string(options.input_width) + "x" +
-                                 std::to_string(options.input_height) + ": " + reason_of(error));
-    }
-    return outputs;
-}
 
 void require_finite(const std::vector<float>& numbers, const TGlobalDescriptorOptions& options)
 {
@@ -168,43 +76,22 @@ cv::Mat black_input(const TGlobalDescriptorOptions& options)
     return cv::Mat::zeros(options.input_height, options.input_width, CV_8UC3);
 }
 
-/** OpenCV 4.6 crashes on some damaged networks. */
-void refuse_crashing_network(const TGlobalDescriptorOptions& options)
+std::unique_ptr<Network> read_network(const TGlobalDescriptorOptions& options)
 {
-    constexpr TrialLimits kLimits{std::size_t{1} << 30U, 60};
-    const auto outcome = run_in_trial(
-        [&]
-        {
-            cv::setNumThreads(1);  // the threads of this process are not in its fork
-            auto net = read_network(options);
-            outputs_of(net, find_layers(net, options), black_input(options), options);
-            return std::string();
-        },
-        kLimits);
-    if (!outcome.crash.empty())
-        throw std::runtime_error("cannot read " + files_of(options) +
-                                 " as a network: OpenCV's attempt ended in " + outcome.crash +
-                                 "; get the file again");
-    if (outcome.error) throw std::runtime_error(*outcome.error);
+    require_files(options);
+    if (options.backend == Backend::opencv) return read_opencv_network(options);
+    return read_onednn_network(options);
 }
 }  // namespace
 
-struct GlobalDescriptorExtractor::Network
-{
-    cv::dnn::Net net;
-    std::vector<std::string> layers;
-};
-
 GlobalDescriptorExtractor::GlobalDescriptorExtractor(const TGlobalDescriptorOptions& options)
-    : options_(options), network_(std::make_unique<Network>())
+    : options_(options)
 {
     options_.check();
     options_.model_file = find_model_file(options_.model_file);
     if (!options_.caffe_prototxt_file.empty())
         options_.caffe_prototxt_file = find_model_file(options_.caffe_prototxt_file);
-    refuse_crashing_network(options_);
-    network_->net = read_network(options_);
-    network_->layers = find_layers(network_->net, options_);
+    network_ = read_network(options_);
     dimension_ = forward(black_input(options_)).global.size();
     const auto wanted = static_cast<std::size_t>(options_.dimension);
     if (wanted != 0 && wanted != dimension_)
@@ -226,7 +113,7 @@ ImageAppearance GlobalDescriptorExtractor::extract(const cv::Mat& image)
 
 ImageAppearance GlobalDescriptorExtractor::forward(const cv::Mat& bgr)
 {
-    auto outputs = outputs_of(network_->net, network_->layers, bgr, options_);
+    auto outputs = network_->forward(to_blob(bgr, options_));
     ImageAppearance appearance;
     if (!options_.cell_layer.empty())
     {

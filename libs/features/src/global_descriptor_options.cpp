@@ -42,6 +42,12 @@ void TGlobalDescriptorOptions::describe(OptionVisitor& visitor)
 {
     visitor.text("model_file", model_file);
     visitor.text("caffe_prototxt_file", caffe_prototxt_file);
+    visitor.choice<Backend>(
+        "backend", backend, {{"onednn", Backend::onednn}, {"opencv", Backend::opencv}});
+    visitor.choice<Precision>(
+        "precision",
+        precision,
+        {{"f32", Precision::f32}, {"mixed", Precision::mixed}, {"bf16", Precision::bf16}});
     visitor.text("layers", layers);
     visitor.text("cell_layer", cell_layer);
     visitor.integer("input_width", input_width, 1, 10000);
@@ -65,6 +71,13 @@ void TGlobalDescriptorOptions::check_between_fields() const
     if (model_file.empty()) throw std::invalid_argument("model_file is empty");
     if (layer_names().empty()) throw std::invalid_argument("layers names no output layer");
     channel_means();
+    if (backend == Backend::onednn && !caffe_prototxt_file.empty())
+        throw std::invalid_argument(
+            "caffe_prototxt_file is set, but backend = onednn reads ONNX files only; set backend = "
+            "opencv");
+    if (backend == Backend::opencv && precision != Precision::f32)
+        throw std::invalid_argument(
+            "backend = opencv has precision = f32 only; mixed and bf16 need backend = onednn");
 }
 
 }  // namespace fild

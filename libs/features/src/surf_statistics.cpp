@@ -22,8 +22,8 @@ struct Sums
  *  corner. */
 using SumsOfKinds = std::array<Sums, 3>;
 
-// Over the 39,000 descriptors of ten images (Oxford affine: graf 1 and 3, churchill 1 to 6, leuven A
-// and B; default options), then over subregions of a kind and over both signs of the other
+// Over the 39,000 descriptors of ten images (Oxford affine: graf 1 and 3, churchill 1 to 6, leuven
+// A and B; default options), then over subregions of a kind and over both signs of the other
 // derivative. SurfStatistics.AreThoseOfRealDescriptors repeats the measurement and prints it.
 constexpr SumsOfKinds kMeans{{
     {0.0718F, 0.2083F, 0.0F, 0.0939F},

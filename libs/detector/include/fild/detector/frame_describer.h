@@ -37,8 +37,8 @@ struct FrameDescription
 };
 
 /** Features of frames, FILD (IROS 2019) section III-A: the global descriptor by MobileNetV2, local
- *  features by SURF. Network and SURF run side by side when num_threads is not 1, with the same
- *  result. Not thread-safe: one caller at a time. */
+ *  features by SURF. Network and SURF run side by side when num_threads is not 1, the network in
+ *  one thread, with the same result. Not thread-safe: one caller at a time. */
 class FrameFeatureExtractor
 {
  public:

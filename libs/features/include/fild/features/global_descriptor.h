@@ -10,6 +10,8 @@
 
 namespace fild
 {
+class Network;
+
 /** What the network tells of an image. */
 struct ImageAppearance
 {
@@ -18,18 +20,21 @@ struct ImageAppearance
 };
 
 /** Appearance of a whole image by a convolutional network, MobileNetV2 in FILD (IROS 2019) section
- *  III-A: one or more layers' outputs, pooled and normalised. Batch normalisation is expected to be
- *  merged with the convolutions in the model file, Eq. (1) to (3).
+ *  III-A: one or more layers' outputs, pooled and normalised. Batch normalisation is merged with
+ *  the convolutions, Eq. (1) to (3).
  *
- *  Deterministic for a given build of OpenCV and a given cv::setNumThreads(): networks split their
- *  sums by the number of OpenCV's threads, which changes the last digits. Not thread-safe: one caller
- *  at a time. */
+ *  Deterministic for a given kind of processor; other kinds round differently, in the last digits
+ *  with Precision::f32. Backend::onednn works in the thread that calls it. Backend::opencv takes
+ *  cv::getNumThreads() threads, by which it splits its sums: the last digits depend on their
+ *  number. Not thread-safe: one caller at a time. */
 class GlobalDescriptorExtractor
 {
  public:
     /** Loads the network and runs it once on a black image, so that a wrong model fails here.
      *  \throw std::runtime_error when the model file is missing (naming the command that gets it)
-     * or is no model, has no such layer, or gives a descriptor not of options.dimension. */
+     * or is no model, has no such layer, or gives a descriptor not of options.dimension; with
+     * Backend::onednn also when it has a layer of a kind that is not supported, or the processor no
+     * bf16 that is asked for. */
     explicit GlobalDescriptorExtractor(const TGlobalDescriptorOptions& options);
     ~GlobalDescriptorExtractor();
     GlobalDescriptorExtractor(GlobalDescriptorExtractor&&) noexcept;
@@ -45,7 +50,6 @@ class GlobalDescriptorExtractor
  private:
     ImageAppearance forward(const cv::Mat& image);
 
-    struct Network;  // keeps OpenCV's dnn header in one .cpp
     TGlobalDescriptorOptions options_;
     std::unique_ptr<Network> network_;
     std::size_t dimension_ = 0;

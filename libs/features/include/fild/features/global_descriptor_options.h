@@ -17,6 +17,22 @@ enum class Pooling
     grid  ///< mean over each cell of grid_rows x grid_columns, each cell normalised, concatenated
 };
 
+/** What the network runs on. */
+enum class Backend
+{
+    onednn,  ///< ONNX files of the operators that MobileNetV2 has; several times as fast
+    opencv  ///< OpenCV's dnn module: ONNX and Caffe files, many more operators
+};
+
+/** Of the numbers between the layers of the network; sums are in float32. All but f32 need
+ *  Backend::onednn and a processor with bfloat16 (AVX-512 BF16). */
+enum class Precision
+{
+    f32,
+    mixed,  ///< bf16 in maps that are smaller than an eighth of the image
+    bf16
+};
+
 enum class ChannelOrder
 {
     rgb,
@@ -29,7 +45,10 @@ struct TGlobalDescriptorOptions : Options
     /** ONNX, or Caffe's weights. A name without folder is looked for in the current folder, then in
      *  the one that datasets-scripts/get-model.sh fills. */
     std::string model_file = "mobilenet_v2_objectron.onnx";
-    std::string caffe_prototxt_file;  ///< Caffe's network description; empty: model_file is ONNX
+    /** Caffe's network description; empty: model_file is ONNX. Backend::opencv only. */
+    std::string caffe_prototxt_file;
+    Backend backend = Backend::onednn;
+    Precision precision = Precision::f32;
     /** Output layers, separated by blanks; their pooled vectors are normalised and concatenated. */
     std::string layers = "FeatureExtractor/MobilenetV2/Conv_1/Relu6";
     /** Layer whose cells are compared one by one, beside the descriptor of the whole image; empty:

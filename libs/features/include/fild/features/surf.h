@@ -39,18 +39,18 @@ class SurfExtractor
     int num_threads_;
 };
 
-/** Of SURF-128 descriptors, the same for every image, so that codes of different images compare. The
- *  deviations are 1: the paper's hashing divides by nothing.
+/** Of SURF-128 descriptors, the same for every image, so that codes of different images compare.
+ *  The deviations are 1: the paper's hashing divides by nothing.
  *
  *  The mean has the symmetry of the 4x4 grid: one set of numbers for the corner, the edge and the
- *  inner subregions each. In a set, |dx| exceeds |dy| and dx is not 0 but positive, because orientation
- *  assignment turns the strongest gradient onto the x axis; dy is 0. With `upright` descriptors the
- *  true means of |dx| and |dy| are alike (inner 0.165 and 0.13) and that of dx is 0; the mean is then
- *  only common, not exact. */
+ *  inner subregions each. In a set, |dx| exceeds |dy| and dx is not 0 but positive, because
+ *  orientation assignment turns the strongest gradient onto the x axis; dy is 0. With `upright`
+ *  descriptors the true means of |dx| and |dy| are alike (inner 0.165 and 0.13) and that of dx is
+ *  0; the mean is then only common, not exact. */
 DescriptorStatistics surf_statistics();
 
-/** The same of rooted descriptors, whose numbers are replaced by their signed square roots, and these
- *  brought to unit norm. */
+/** The same of rooted descriptors, whose numbers are replaced by their signed square roots, and
+ *  these brought to unit norm. */
 DescriptorStatistics rooted_surf_statistics();
 
 }  // namespace fild

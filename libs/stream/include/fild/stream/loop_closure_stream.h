@@ -66,7 +66,7 @@ struct FedFrame
  *  With [relative_pose] enabled, and as far as the recording has depth, an accepted loop has its
  *  metric pose (DetectorOutcome::pose).
  *  Deterministic: the same observations and options give the same verdicts, with any num_threads.
- *  OpenCV's own threads change the last digits of the global descriptor (see
+ *  With Backend::opencv OpenCV's own threads change the last digits of the global descriptor (see
  *  GlobalDescriptorExtractor): a program that wants the verdicts of rawlog-loop-closure, or the
  *  same ones on computers with more or fewer cores, calls cv::setNumThreads(1) before. Not
  *  thread-safe: one caller at a time. */
