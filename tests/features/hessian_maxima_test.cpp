@@ -26,7 +26,7 @@ constexpr double kScaleTolerance = 0.07;
 
 std::vector<Keypoint> maxima(const cv::Mat& image, const TLocalFeatureOptions& options = {})
 {
-    return find_hessian_maxima(IntegralImage(image), options, 1);
+    return find_hessian_maxima(IntegralImage(image), options, 1, fild::portable_surf_kernels());
 }
 
 TEST(HessianMaxima, FindABlobBetweenPixelsWithItsScale)

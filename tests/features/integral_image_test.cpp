@@ -31,6 +31,19 @@ TEST(IntegralImage, ReadsAPartOfALargerImage)
     EXPECT_EQ(IntegralImage(image(part)).row(6)[7], cv::sum(image(part))[0]);
 }
 
+TEST(IntegralImage, RowsBeginInDifferentPartsOfTheCache)
+{
+    constexpr int kEntriesPerLine = 16;
+    for (const int width : {1, 14, 15, 16, 1023, 1024, 1242})
+    {
+        const IntegralImage integral(cv::Mat(2, width, CV_8U, cv::Scalar(1)));
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(integral.row(1)) % 64, 0U) << width;
+        EXPECT_GE(integral.stride(), width + 1);
+        EXPECT_EQ(integral.row(2) - integral.row(1), integral.stride());
+        EXPECT_EQ(integral.stride() % (2 * kEntriesPerLine), kEntriesPerLine) << width;
+    }
+}
+
 TEST(IntegralImage, DifferencesStayRightWhenTheSumsWrapAround)
 {
     const cv::Mat white(4200, 4200, CV_8U, cv::Scalar(255));

@@ -4,6 +4,7 @@
 // with default options.
 #include "descriptor_matches.h"
 #include "fild/features/surf.h"
+#include "surf_pipeline.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>
@@ -152,8 +153,8 @@ TEST_F(SurfOnAffineImages, GraffitiSeenThirtyDegreesAside)
     const auto quality = compare(
         "graf 1-3", read_view("graf/img1.png"), read_view("graf/img3.png"), read_graf_homography());
     EXPECT_GT(quality.repeatability, 0.52);  // 0.576
-    EXPECT_GT(quality.matches, 180U);  // 269
-    EXPECT_GT(quality.correct_share, 0.55);  // 0.647
+    EXPECT_GT(quality.matches, 180U);  // 255
+    EXPECT_GT(quality.correct_share, 0.55);  // 0.667
 }
 
 TEST_F(SurfOnAffineImages, ChurchillFromFiveViews)
@@ -165,7 +166,7 @@ TEST_F(SurfOnAffineImages, ChurchillFromFiveViews)
         double correct_share;
     };
     const auto first = read_view("churchill/img1.jpg");
-    // Measured: repeatability 0.550 0.406 0.359 0.786 0.278, right 0.885 0.738 0.759 0.968 0.400.
+    // Measured: repeatability 0.550 0.406 0.359 0.786 0.278, right 0.884 0.748 0.757 0.968 0.400.
     for (const auto& expected : {Expected{2, 0.48, 0.80},
                                  Expected{3, 0.33, 0.62},
                                  Expected{4, 0.29, 0.62},
@@ -203,6 +204,23 @@ TEST_F(SurfOnAffineImages, LeuvenInOtherLight)
     EXPECT_GT(inliers, 0.5 * static_cast<double>(matches.size()));
 }
 
+TEST_F(SurfOnAffineImages, AreTheSameBytesWithAllKernelsOfThisProcessor)
+{
+    for (const auto* name : {"graf/img1.png", "churchill/img3.jpg", "leuven/leuvenB.jpg"})
+    {
+        const cv::Mat image = cv::imread(kFolder + name);
+        const auto expected = fild::extract_surf(image, {}, 0, fild::portable_surf_kernels());
+        for (const auto& kernels : fild::surf_kernels())
+        {
+            const auto features = fild::extract_surf(image, {}, 0, kernels);
+            EXPECT_EQ(features.descriptors, expected.descriptors) << kernels.processor << name;
+            ASSERT_EQ(features.size(), expected.size()) << kernels.processor << name;
+            for (std::size_t i = 0; i < features.size(); ++i)
+                ASSERT_EQ(features.keypoints[i].angle, expected.keypoints[i].angle) << i;
+        }
+    }
+}
+
 using Numbers = std::vector<double>;
 
 /** Mean and mean square of each number of `descriptors`. */
@@ -215,7 +233,8 @@ struct Moments
 Moments moments_of(const std::vector<float>& descriptors)
 {
     Moments moments{Numbers(LocalFeatures::dimension), Numbers(LocalFeatures::dimension)};
-    const auto count = static_cast<double>(descriptors.size() / LocalFeatures::dimension);
+    const std::size_t descriptor_count = descriptors.size() / LocalFeatures::dimension;
+    const auto count = static_cast<double>(descriptor_count);
     for (std::size_t i = 0; i < descriptors.size(); ++i)
     {
         const double number = descriptors[i];

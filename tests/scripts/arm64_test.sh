@@ -22,7 +22,7 @@ if ! $compiler -dM -E -x c++ /dev/null | grep __aarch64__ > /dev/null; then
 fi
 
 chosen='immintrin|processor_clones\.h|__attribute__\(\(target|target_clones|__builtin_cpu|__builtin_ia32'
-chosen+='|__x86_64__|__SSE|__AVX|_mm[0-9]*_|\basm\b|cpuid'
+chosen+='|disc_windows\.h|__x86_64__|__SSE|__AVX|_mm[0-9]*_|\basm\b|cpuid'
 if [ "${FILD_FULL_TESTS:-0}" = 1 ]; then chosen=; fi
 # MRPT's configuration is made for one processor, and asks for its vector code.
 scratch=$(mktemp -d)

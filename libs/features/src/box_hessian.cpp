@@ -32,24 +32,14 @@ class MaskRow
     /** Moves to row y; the mask must fit, reach <= y < height - reach. */
     void move_to(int y)
     {
-        const int lobe = mask_.lobe;
-        const int reach = mask_.reach();
-        const int half = (lobe - 1) / 2;
-        const auto* xx_top = integral_.row(y - lobe + 1);
-        const auto* xx_bottom = integral_.row(y + lobe);
-        const auto* yy_top = integral_.row(y - reach);
-        const auto* yy_inner_top = integral_.row(y - half);
-        const auto* yy_inner_bottom = integral_.row(y + half + 1);
-        const auto* yy_bottom = integral_.row(y + reach + 1);
-        const auto* xy_top = integral_.row(y - lobe);
-        const auto* xy_inner_top = integral_.row(y);
-        const auto* xy_inner_bottom = integral_.row(y + 1);
-        const auto* xy_bottom = integral_.row(y + lobe + 1);
+        const MaskEdges row(integral_, mask_, y);
         for (std::size_t x = 0; x < xx_.size(); ++x)
         {
-            xx_[x] = xx_bottom[x] - xx_top[x];
-            yy_[x] = yy_bottom[x] - yy_top[x] - 3 * (yy_inner_bottom[x] - yy_inner_top[x]);
-            xy_[x] = xy_inner_top[x] - xy_top[x] - (xy_bottom[x] - xy_inner_bottom[x]);
+            xx_[x] = row.xx_bottom[x] - row.xx_top[x];
+            yy_[x] = row.yy_bottom[x] - row.yy_top[x] -
+                     3 * (row.yy_inner_bottom[x] - row.yy_inner_top[x]);
+            xy_[x] =
+                row.xy_inner_top[x] - row.xy_top[x] - (row.xy_bottom[x] - row.xy_inner_bottom[x]);
         }
     }
 
@@ -76,32 +66,36 @@ class MaskRow
     std::vector<std::uint32_t> xy_;
 };
 
-/** Smallest multiple of `step` that is not below `value`, divided by `step`. */
-int ceil_divide(int value, int step)
-{
-    return (value + step - 1) / step;
-}
-
-/** Grid points at which a mask fits into `pixels` pixels: [first, last). */
-struct FittingRange
-{
-    int first = 0;
-    int last = 0;
-
-    FittingRange(int pixels, const HessianLayer& layer)
-        : first(ceil_divide(layer.mask.reach(), layer.step)),
-          last(ceil_divide(std::max(0, pixels - layer.mask.reach()), layer.step))
-    {
-    }
-};
 }  // namespace
 
 HessianLayer::HessianLayer(const IntegralImage& integral, BoxMask box_mask, int sampling_step)
+    : HessianLayer(integral, box_mask, sampling_step, 0, integral.height())
+{
+}
+
+HessianLayer::HessianLayer(
+    const IntegralImage& integral, BoxMask box_mask, int sampling_step, int first, int last)
     : mask(box_mask),
       step(sampling_step),
       columns(ceil_divide(integral.width(), sampling_step)),
       rows(ceil_divide(integral.height(), sampling_step)),
-      determinant(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0.0F)
+      first_row(std::max(first, 0))
+{
+    const int held = std::max(std::min(last, rows) - first_row, 0);
+    determinant.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(held));
+}
+
+MaskEdges::MaskEdges(const IntegralImage& integral, BoxMask mask, int y)
+    : xx_top(integral.row(y - mask.lobe + 1)),
+      xx_bottom(integral.row(y + mask.lobe)),
+      yy_top(integral.row(y - mask.reach())),
+      yy_inner_top(integral.row(y - (mask.lobe - 1) / 2)),
+      yy_inner_bottom(integral.row(y + (mask.lobe - 1) / 2 + 1)),
+      yy_bottom(integral.row(y + mask.reach() + 1)),
+      xy_top(integral.row(y - mask.lobe)),
+      xy_inner_top(integral.row(y)),
+      xy_inner_bottom(integral.row(y + 1)),
+      xy_bottom(integral.row(y + mask.lobe + 1))
 {
 }
 
@@ -119,8 +113,7 @@ void fill_determinants(const IntegralImage& integral,
          ++r)
     {
         sums.move_to(r * layer.step);
-        auto* out = layer.determinant.data() +
-                    static_cast<std::size_t>(r) * static_cast<std::size_t>(layer.columns);
+        auto* out = layer.row(r);
         for (int c = fitting_columns.first; c < fitting_columns.last; ++c)
         {
             const auto sum = sums.at(c * layer.step);

@@ -16,60 +16,9 @@ namespace fild
 {
 namespace
 {
-using Octave = std::vector<HessianLayer>;
-
-/** Rows that one task of a thread works on. */
+/** Rows that one task of a thread works on: their determinants stay in its cache. */
 constexpr int kRowsPerBand = 32;
 constexpr float kWeaker = 10;  // how far the threshold is lowered for min_keypoints
-
-/** Masks of octave o grow by 6 * 2^o pixels: 9 15 21 27, then 15 27 39 51, 27 51 75 99, ... */
-BoxMask mask_of(int octave, int layer)
-{
-    return BoxMask{(2 << octave) * (layer + 1) + 1};
-}
-
-/** Calls body(layer, first_row, last_row) for all bands of rows of `layers`, in parallel. */
-template <class Layer, class Body>
-void for_each_band(int num_threads, const std::vector<Layer*>& layers, const Body& body)
-{
-    struct Band
-    {
-        Layer* layer;
-        int first_row;
-    };
-    std::vector<Band> bands;
-    for (auto* layer : layers)
-        for (int row = 0; row < layer->rows; row += kRowsPerBand) bands.push_back({layer, row});
-    parallel_for(num_threads,
-                 bands.size(),
-                 [&](std::size_t i)
-                 {
-                     const auto& band = bands[i];
-                     body(*band.layer,
-                          band.first_row,
-                          std::min(band.first_row + kRowsPerBand, band.layer->rows));
-                 });
-}
-
-std::vector<Octave> build_pyramid(const IntegralImage& integral,
-                                  const TLocalFeatureOptions& options,
-                                  int num_threads)
-{
-    std::vector<Octave> pyramid(static_cast<std::size_t>(options.octaves));
-    std::vector<HessianLayer*> layers;
-    for (int o = 0; o < options.octaves; ++o)
-    {
-        auto& octave = pyramid[static_cast<std::size_t>(o)];
-        for (int i = 0; i < options.layers_per_octave + 2; ++i)
-            octave.emplace_back(integral, mask_of(o, i), 1 << o);
-        for (auto& layer : octave) layers.push_back(&layer);
-    }
-    for_each_band(num_threads,
-                  layers,
-                  [&](HessianLayer& layer, int first_row, int last_row)
-                  { fill_determinants(integral, layer, first_row, last_row); });
-    return pyramid;
-}
 
 /** Three neighbouring layers of an octave, around the middle one. */
 class Neighbourhood
@@ -139,42 +88,89 @@ Keypoint make_keypoint(const HessianLayer* middle, int column, int row, const cv
     return keypoint;
 }
 
-/** Maxima in rows [first_row, last_row) of `middle`, which has a layer on either side in memory.
+/** What all bands are searched with. */
+struct Search
+{
+    const IntegralImage& integral;
+    const TLocalFeatureOptions& options;
+    float threshold;
+    const SurfKernels& kernels;
+};
+
+/** The part of an octave that is searched at a time, [first_row, last_row). */
+struct Band
+{
+    int octave = 0;
+    int first_row = 0;
+    int last_row = 0;
+};
+
+std::vector<Band> bands_of(const IntegralImage& integral, int octaves)
+{
+    std::vector<Band> bands;
+    for (int octave = 0; octave < octaves; ++octave)
+    {
+        const int rows = ceil_divide(integral.height(), 1 << octave);
+        for (int row = 0; row < rows; row += kRowsPerBand)
+            bands.push_back({octave, row, std::min(row + kRowsPerBand, rows)});
+    }
+    return bands;
+}
+
+/** Appends the maxima in the band's rows of `middle`, which has a layer on either side in memory.
  *  Only where the larger mask fits at all neighbours: else there is nothing to compare with. */
-std::vector<Keypoint> maxima_in_band(const HessianLayer* middle,
-                                     float threshold,
-                                     int first_row,
-                                     int last_row)
+void append_maxima(const Search& search,
+                   const Band& band,
+                   const HessianLayer* middle,
+                   std::vector<Keypoint>& maxima)
 {
     const Neighbourhood neighbourhood(middle);
-    const int reach = (middle + 1)->mask.reach();
-    const int margin = (reach + middle->step - 1) / middle->step + 1;
-    std::vector<Keypoint> found;
-    for (int row = std::max(first_row, margin); row < std::min(last_row, middle->rows - margin);
-         ++row)
-        for (int column = margin; column < middle->columns - margin; ++column)
+    const int margin = ceil_divide((middle + 1)->mask.reach(), middle->step) + 1;
+    const int last_row = std::min(band.last_row, middle->rows - margin);
+    const ColumnRange inside{margin, middle->columns - margin};
+    std::vector<int> columns;
+    for (int row = std::max(band.first_row, margin); row < last_row; ++row)
+    {
+        columns.clear();
+        search.kernels.append_peaks(*middle, row, inside, search.threshold, columns);
+        for (const int column : columns)
         {
-            if (!(middle->row(row)[column] > threshold)) continue;
             if (!neighbourhood.is_maximum(column, row)) continue;
             const auto offset = neighbourhood.peak_offset(column, row);
-            if (offset) found.push_back(make_keypoint(middle, column, row, *offset));
+            if (offset) maxima.push_back(make_keypoint(middle, column, row, *offset));
         }
-    return found;
+    }
 }
 
 /** The layers to look for maxima in: those between two others whose mask no finer octave has. */
-std::vector<const HessianLayer*> middle_layers(const std::vector<Octave>& pyramid)
+std::vector<std::size_t> middle_layers(int octave, int layers_per_octave)
 {
-    std::vector<const HessianLayer*> middles;
-    int largest = 0;
-    for (const auto& octave : pyramid)
-        for (std::size_t i = 1; i + 1 < octave.size(); ++i)
-            if (octave[i].mask.size() > largest)
-            {
-                largest = octave[i].mask.size();
-                middles.push_back(&octave[i]);
-            }
+    const int largest = octave == 0 ? 0 : mask_of(octave - 1, layers_per_octave).size();
+    std::vector<std::size_t> middles;
+    for (int layer = 1; layer <= layers_per_octave; ++layer)
+        if (mask_of(octave, layer).size() > largest)
+            middles.push_back(static_cast<std::size_t>(layer));
     return middles;
+}
+
+/** Computes the determinants of the band, and of a row above and below, and finds their maxima. */
+std::vector<Keypoint> maxima_in_band(const Search& search, const Band& band)
+{
+    const int layers_per_octave = search.options.layers_per_octave;
+    const int first_row = band.first_row - 1;
+    const int last_row = band.last_row + 1;
+    std::vector<HessianLayer> layers;
+    for (int i = 0; i < layers_per_octave + 2; ++i)
+    {
+        auto& layer = layers.emplace_back(
+            search.integral, mask_of(band.octave, i), 1 << band.octave, first_row, last_row);
+        search.kernels.fill(
+            search.integral, layer, layer.first_row, std::min(last_row, layer.rows));
+    }
+    std::vector<Keypoint> maxima;
+    for (const auto middle : middle_layers(band.octave, layers_per_octave))
+        append_maxima(search, band, &layers[middle], maxima);
+    return maxima;
 }
 
 bool is_stronger(const Keypoint& a, const Keypoint& b)
@@ -182,43 +178,38 @@ bool is_stronger(const Keypoint& a, const Keypoint& b)
     return std::make_tuple(-a.response, a.y, a.x, a.size) <
            std::make_tuple(-b.response, b.y, b.x, b.size);
 }
+
 /** Maxima of the determinant above the threshold in all layers, strongest first. */
-std::vector<Keypoint> maxima_above(float threshold,
-                                   const std::vector<Octave>& pyramid,
-                                   int num_threads)
+std::vector<Keypoint> all_maxima(const Search& search, int num_threads)
 {
+    const auto bands = bands_of(search.integral, search.options.octaves);
+    std::vector<std::vector<Keypoint>> found(bands.size());
+    parallel_for(num_threads,
+                 bands.size(),
+                 [&](std::size_t i) { found[i] = maxima_in_band(search, bands[i]); });
     std::vector<Keypoint> keypoints;
-    for (const auto* middle : middle_layers(pyramid))
-    {
-        const auto bands =
-            static_cast<std::size_t>((middle->rows + kRowsPerBand - 1) / kRowsPerBand);
-        std::vector<std::vector<Keypoint>> found(bands);
-        for_each_band<const HessianLayer>(
-            num_threads,
-            {middle},
-            [&](const HessianLayer&, int first_row, int last_row)
-            {
-                found[static_cast<std::size_t>(first_row / kRowsPerBand)] =
-                    maxima_in_band(middle, threshold, first_row, last_row);
-            });
-        for (const auto& band : found) keypoints.insert(keypoints.end(), band.begin(), band.end());
-    }
+    for (const auto& band : found) keypoints.insert(keypoints.end(), band.begin(), band.end());
     std::sort(keypoints.begin(), keypoints.end(), is_stronger);
     return keypoints;
 }
 }  // namespace
 
+BoxMask mask_of(int octave, int layer)
+{
+    return BoxMask{(2 << octave) * (layer + 1) + 1};
+}
+
 std::vector<Keypoint> find_hessian_maxima(const IntegralImage& integral,
                                           const TLocalFeatureOptions& options,
-                                          int num_threads)
+                                          int num_threads,
+                                          const SurfKernels& kernels)
 {
-    const auto pyramid = build_pyramid(integral, options, num_threads);
     const auto threshold = static_cast<float>(options.hessian_threshold);
-    auto keypoints = maxima_above(threshold, pyramid, num_threads);
+    auto keypoints = all_maxima({integral, options, threshold, kernels}, num_threads);
     const auto wanted = static_cast<std::size_t>(options.min_keypoints);
     if (keypoints.size() < wanted)
     {
-        keypoints = maxima_above(threshold / kWeaker, pyramid, num_threads);
+        keypoints = all_maxima({integral, options, threshold / kWeaker, kernels}, num_threads);
         if (keypoints.size() > wanted) keypoints.resize(wanted);
     }
     const auto limit = static_cast<std::size_t>(options.max_keypoints);

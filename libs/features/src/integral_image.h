@@ -5,7 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 namespace fild
 {
@@ -27,13 +27,17 @@ class IntegralImage
     /** The width() + 1 entries of row y, 0 <= y <= height(). */
     const std::uint32_t* row(int y) const
     {
-        return sums_.data() + static_cast<std::size_t>(y) * (static_cast<std::size_t>(width_) + 1);
+        return first_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(stride_);
     }
+    /** Entries from a row to the next. */
+    int stride() const { return stride_; }
 
  private:
     int width_;
     int height_;
-    std::vector<std::uint32_t> sums_;
+    int stride_;
+    std::unique_ptr<std::uint32_t[]> sums_;
+    std::uint32_t* first_;  ///< of sums_, at the beginning of a cache line
 };
 
 }  // namespace fild

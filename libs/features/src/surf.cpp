@@ -5,14 +5,17 @@
 #include "fild/core/parallel_for.h"
 #include "hessian_maxima.h"
 #include "integral_image.h"
-#include "orientation.h"
-#include "surf_descriptor.h"
+#include "surf_kernels.h"
+#include "surf_pipeline.h"
 
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace fild
 {
@@ -30,29 +33,52 @@ cv::Mat to_grey(const cv::Mat& image)
     return grey;
 }
 
-bool is_zero(const SurfDescriptor& descriptor)
+constexpr std::size_t kKeypointsPerTask = 16;
+constexpr float kBlock = 64;  // pixels
+
+/** Indices of the keypoints, by place: neighbours read the same part of the integral image. */
+std::vector<std::size_t> by_place(const std::vector<Keypoint>& keypoints)
 {
-    return std::all_of(
-        descriptor.begin(), descriptor.end(), [](float value) { return value == 0; });
+    std::vector<std::size_t> order(keypoints.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto place = [&](std::size_t i)
+    { return std::make_tuple(std::floor(keypoints[i].y / kBlock), keypoints[i].x, i); };
+    std::sort(order.begin(),
+              order.end(),
+              [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+    return order;
 }
 
-/** Leaves out keypoints without a descriptor: next to the border, where no wavelet fits. */
-LocalFeatures collect(const std::vector<Keypoint>& keypoints,
-                      const std::vector<SurfDescriptor>& descriptors,
-                      const cv::Mat& image)
+/** Removes keypoints without a descriptor: next to the border, where no wavelet fits. */
+void remove_undescribed(LocalFeatures& features)
 {
-    LocalFeatures features;
-    features.image_size = {image.cols, image.rows};
-    features.keypoints.reserve(keypoints.size());
-    features.descriptors.reserve(keypoints.size() * LocalFeatures::dimension);
-    for (std::size_t i = 0; i < keypoints.size(); ++i)
+    const auto is_zero = [](float value) { return value == 0; };
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < features.size(); ++i)
     {
-        if (is_zero(descriptors[i])) continue;
-        features.keypoints.push_back(keypoints[i]);
-        features.descriptors.insert(
-            features.descriptors.end(), descriptors[i].begin(), descriptors[i].end());
+        const auto* descriptor = features.descriptor(i);
+        if (std::all_of(descriptor, descriptor + LocalFeatures::dimension, is_zero)) continue;
+        if (kept != i)
+        {
+            features.keypoints[kept] = features.keypoints[i];
+            std::copy_n(descriptor,
+                        LocalFeatures::dimension,
+                        features.descriptors.data() + kept * LocalFeatures::dimension);
+        }
+        ++kept;
     }
-    return features;
+    features.keypoints.resize(kept);
+    features.descriptors.resize(kept * LocalFeatures::dimension);
+}
+
+/** Sets the angle, unless upright, and gives back the descriptor. */
+SurfDescriptor describe(const IntegralImage& integral,
+                        const SurfKernels& kernels,
+                        bool upright,
+                        Keypoint& keypoint)
+{
+    if (!upright) keypoint.angle = kernels.orient(integral, keypoint);
+    return kernels.describe(integral, keypoint);
 }
 }  // namespace
 
@@ -66,18 +92,38 @@ SurfExtractor::SurfExtractor(const TLocalFeatureOptions& options, int num_thread
 
 LocalFeatures SurfExtractor::extract(const cv::Mat& image) const
 {
+    return extract_surf(image, options_, num_threads_, surf_kernels().back());
+}
+
+LocalFeatures extract_surf(const cv::Mat& image,
+                           const TLocalFeatureOptions& options,
+                           int num_threads,
+                           const SurfKernels& kernels)
+{
     const IntegralImage integral(to_grey(image));
-    auto keypoints = find_hessian_maxima(integral, options_, num_threads_);
-    std::vector<SurfDescriptor> descriptors(keypoints.size());
-    parallel_for(num_threads_,
-                 keypoints.size(),
-                 [&](std::size_t i)
+    LocalFeatures features;
+    features.image_size = {image.cols, image.rows};
+    features.keypoints = find_hessian_maxima(integral, options, num_threads, kernels);
+    features.descriptors.resize(features.size() * LocalFeatures::dimension);
+    const auto order = by_place(features.keypoints);
+    parallel_for(num_threads,
+                 (order.size() + kKeypointsPerTask - 1) / kKeypointsPerTask,
+                 [&](std::size_t task)
                  {
-                     if (!options_.upright)
-                         keypoints[i].angle = dominant_orientation(integral, keypoints[i]);
-                     descriptors[i] = surf_descriptor(integral, keypoints[i]);
+                     const auto first = task * kKeypointsPerTask;
+                     const auto last = std::min(first + kKeypointsPerTask, order.size());
+                     for (auto place = first; place < last; ++place)
+                     {
+                         const auto i = order[place];
+                         const auto numbers =
+                             describe(integral, kernels, options.upright, features.keypoints[i]);
+                         std::copy(numbers.begin(),
+                                   numbers.end(),
+                                   features.descriptors.data() + i * LocalFeatures::dimension);
+                     }
                  });
-    return collect(keypoints, descriptors, image);
+    remove_undescribed(features);
+    return features;
 }
 
 }  // namespace fild

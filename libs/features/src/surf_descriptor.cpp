@@ -6,32 +6,12 @@
 #include "haar_wavelet.h"
 
 #include <cmath>
+#include <numeric>
 
 namespace fild
 {
 namespace
 {
-constexpr std::size_t kSubregions = 4;  // a side of the square
-constexpr std::size_t kSamples = 5;  // a side of a subregion
-constexpr std::size_t kSumsPerSubregion = 8;
-constexpr float kWaveletSide = 2.0F;  // all lengths in units of the scale s
-constexpr float kSigma = 3.3F;
-constexpr float kMiddle = 0.5F * (kSubregions * kSamples - 1);
-
-static_assert(kSubregions * kSubregions * kSumsPerSubregion == LocalFeatures::dimension);
-
-/** exp(-d^2 / 2 sigma^2) of the 20 sample positions along one axis. */
-std::array<float, kSubregions * kSamples> gaussian_weights()
-{
-    std::array<float, kSubregions * kSamples> weights{};
-    for (std::size_t i = 0; i < weights.size(); ++i)
-    {
-        const float distance = static_cast<float>(i) - kMiddle;
-        weights[i] = std::exp(distance * distance / (-2 * kSigma * kSigma));
-    }
-    return weights;
-}
-
 /** Haar responses in the keypoint's frame. */
 class OrientedHaar
 {
@@ -51,7 +31,7 @@ class OrientedHaar
         const auto upright = haar_response(integral_,
                                            keypoint_.x + scale_ * (u * cos_ - v * sin_),
                                            keypoint_.y + scale_ * (u * sin_ + v * cos_),
-                                           scale_ * kWaveletSide);
+                                           scale_ * DescriptorGrid::wavelet_side);
         return {upright.dx * cos_ + upright.dy * sin_, upright.dy * cos_ - upright.dx * sin_};
     }
 
@@ -73,35 +53,37 @@ void accumulate(float* sums, float dx, float dy)
     along_y[0] += dy;
     along_y[1] += std::abs(dy);
 }
-
-void normalise(SurfDescriptor& descriptor)
-{
-    double squared = 0;
-    for (const float value : descriptor) squared += static_cast<double>(value) * value;
-    if (squared == 0) return;
-    const double factor = 1 / std::sqrt(squared);
-    for (float& value : descriptor) value = static_cast<float>(value * factor);
-}
 }  // namespace
 
 SurfDescriptor surf_descriptor(const IntegralImage& integral, const Keypoint& keypoint)
 {
     const OrientedHaar haar(integral, keypoint);
-    const auto weights = gaussian_weights();
+    const auto& grid = kDescriptorGrid;
     SurfDescriptor descriptor{};
-    for (std::size_t row = 0; row < weights.size(); ++row)
-        for (std::size_t column = 0; column < weights.size(); ++column)
+    for (std::size_t row = 0; row < DescriptorGrid::side; ++row)
+        for (std::size_t column = 0; column < DescriptorGrid::side; ++column)
         {
-            const auto response =
-                haar.at(static_cast<float>(column) - kMiddle, static_cast<float>(row) - kMiddle);
-            const float weight = weights[row] * weights[column];
-            const auto subregion = row / kSamples * kSubregions + column / kSamples;
-            accumulate(descriptor.data() + subregion * kSumsPerSubregion,
+            const auto response = haar.at(grid.position[column], grid.position[row]);
+            const float weight = grid.weight[row] * grid.weight[column];
+            const auto subregion = row / DescriptorGrid::samples * DescriptorGrid::subregions +
+                                   column / DescriptorGrid::samples;
+            accumulate(descriptor.data() + subregion * DescriptorGrid::sums,
                        weight * response.dx,
                        weight * response.dy);
         }
     normalise(descriptor);
     return descriptor;
+}
+
+void normalise(SurfDescriptor& descriptor)
+{
+    std::array<double, DescriptorGrid::sums> squared{};
+    for (std::size_t i = 0; i < descriptor.size(); ++i)
+        squared[i % squared.size()] += static_cast<double>(descriptor[i]) * descriptor[i];
+    const double total = std::accumulate(squared.begin(), squared.end(), 0.0);
+    if (total == 0) return;
+    const double factor = 1 / std::sqrt(total);
+    for (float& value : descriptor) value = static_cast<float>(value * factor);
 }
 
 }  // namespace fild

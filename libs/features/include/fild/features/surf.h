@@ -29,7 +29,8 @@ class SurfExtractor
      * < 0. All numbers are finite.
      *
      *  Closer to the border than half a mask nothing is found; wavelets that leave the image count
-     *  as 0. Deterministic: the same bytes with any number of threads.
+     *  as 0. Deterministic: the same bytes with any number of threads. Where the
+     *  processor has AVX2 or AVX-512 it is used, to the bytes of the portable code.
      *  \param image  8 bit, 1 channel or 3 (BGR), of any size: too small or of one colour, it has
      * no features. \throw std::invalid_argument for an empty image or another pixel type. */
     LocalFeatures extract(const cv::Mat& image) const;
