@@ -99,7 +99,7 @@ void run(const AppOptions& options)
     const auto summary =
         fild::as_usage([&] { return fild::write_image_rawlog(recording, options.output); });
     if (options.quiet) return;
-    std::cout << options.output.rawlog_path << ": " << to_text(summary) << "\n";
+    std::cout << options.output.rawlog_path << ": " << summary_text(summary) << "\n";
     for (const auto& what : recording.left_out) std::cout << "left out: " << what << "\n";
 }
 

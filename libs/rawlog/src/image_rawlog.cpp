@@ -269,7 +269,7 @@ ImageRawlogSummary write_image_rawlog(const Recording& recording, const ImageRaw
     return summary;
 }
 
-std::string to_text(const ImageRawlogSummary& summary)
+std::string summary_text(const ImageRawlogSummary& summary)
 {
     auto text = count_of(summary.frames, "frame") + " of " + count_of(summary.images, "image");
     if (summary.depth_images != 0) text += " and " + count_of(summary.depth_images, "depth image");

@@ -29,7 +29,7 @@ struct ImageRawlogSummary
 };
 
 /** For the user, a line or two. */
-std::string to_text(const ImageRawlogSummary& summary);
+std::string summary_text(const ImageRawlogSummary& summary);
 
 /** Writes a recording into a gzipped rawlog, an observation a frame: CObservationImage,
  *  CObservationStereoImages for a stereo pair, CObservation3DRangeScan for an image with depth. Of
