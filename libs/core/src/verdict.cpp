@@ -92,6 +92,7 @@ const std::vector<Rejection>& all_rejections()
     static const std::vector<Rejection> all = []
     {
         std::vector<Rejection> rejections;
+        rejections.reserve(kRejections.size());
         for (const auto& each : kRejections) rejections.push_back(each.rejection);
         return rejections;
     }();

@@ -176,7 +176,7 @@ class EngineRun
             throw_if_interrupted();
             auto [observation, actions] = reader.next_entry();
             if (!observation && !actions) break;
-            take(std::move(observation), std::move(actions));
+            take(std::move(observation), actions);
             if (request_.with_loops)
                 progress.update(reader.fraction_read(),
                                 visual_.report().camera_frames,
@@ -186,12 +186,13 @@ class EngineRun
     }
 
     /** Observations are a step each; actions are one with the observations up to the next ones. */
-    void take(mrpt::obs::CObservation::Ptr observation, mrpt::obs::CActionCollection::Ptr actions)
+    void take(mrpt::obs::CObservation::Ptr observation,
+              const mrpt::obs::CActionCollection::Ptr& actions)
     {
         if (actions && actions->size() > 0)
         {
             step_with_actions();
-            entries_.actions = std::move(actions);
+            entries_.actions = actions;
             entries_.observations = mrpt::obs::CSensoryFrame::Create();
         }
         else if (observation && entries_.actions)

@@ -145,7 +145,7 @@ AnswersOfFrames read_candidates_csv(const std::string& path, std::size_t frames)
 {
     AnswersOfFrames answers(frames);
     std::vector<std::size_t> last_ranks(frames);
-    const auto take = [&](CandidateRow row, const CsvReader& reader)
+    const auto take = [&](const CandidateRow& row, const CsvReader& reader)
     {
         check(row, frames, reader);
         const auto rank = row.considered.rank;
@@ -154,7 +154,7 @@ AnswersOfFrames read_candidates_csv(const std::string& path, std::size_t frames)
             reader.fail("rank " + std::to_string(rank) + " comes after rank " +
                         std::to_string(last_rank));
         last_rank = std::max(last_rank, rank);
-        answers[to_index(row.frame)].push_back(std::move(row.considered));
+        answers[to_index(row.frame)].push_back(row.considered);
     };
     read_csv(path, candidates_csv_columns(), take);
     return answers;

@@ -5,7 +5,6 @@
 #include "fild/results/csv_fields.h"
 
 #include <cstdint>
-#include <utility>
 
 namespace fild
 {
@@ -56,11 +55,11 @@ std::vector<CostRow> read_costs_csv(const std::string& path, std::size_t max_row
     std::vector<CostRow> rows;
     read_csv(path,
              costs_csv_columns(),
-             [&](CostRow row, const CsvReader&)
+             [&](const CostRow& row, const CsvReader&)
              {
                  if (next == wanted.end() || *next != number++) return;
                  ++next;
-                 rows.push_back(std::move(row));
+                 rows.push_back(row);
              });
     return rows;
 }

@@ -180,17 +180,16 @@ void RunOutput::draw()
     attempt({"no more pictures", "second_pass"}, [&] { pass.finish(); });
     if (matches)
         attempt(kMatchPictures, [&] { record_.summary.match_pictures = matches->finish(); });
-    if (map_is_drawn && !interrupted())
-        attempt(kMapPictures, [&] { draw_map(std::move(cameras)); });
+    if (map_is_drawn && !interrupted()) attempt(kMapPictures, [&] { draw_map(cameras); });
     if (interrupted() && record_.summary.ended_early.empty())
         record_.summary.ended_early = "interrupted";
 }
 
-void RunOutput::draw_map(std::map<FrameId, DrawnCamera> cameras)
+void RunOutput::draw_map(const std::map<FrameId, DrawnCamera>& cameras)
 {
     const auto& render = request_.options.render;
     auto drawn = to_drawn_map(*map_, record_.verdicts, render);
-    for (auto& [frame, camera] : cameras) drawn.cameras.push_back(std::move(camera));
+    for (const auto& [frame, camera] : cameras) drawn.cameras.push_back(camera);
     if (truth_) add_judgements(drawn, truth_->evaluation.frames);
     if (truth_ && !truth_->poses.empty()) drawn.ground_truth = true_way_over(*map_, truth_->poses);
     write_map_pictures(drawn, render, folder_);

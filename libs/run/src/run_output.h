@@ -48,7 +48,7 @@ class RunOutput
     void write_map_files();
     void judge();
     void draw();
-    void draw_map(std::map<FrameId, DrawnCamera> cameras);
+    void draw_map(const std::map<FrameId, DrawnCamera>& cameras);
     std::vector<LoopPicture> pairs_to_draw() const;
     void list_wrong_and_missed();
     std::set<FrameId> wrong_frames() const;
