@@ -12,7 +12,7 @@ namespace fild
 /** A step by which a run makes its results. */
 struct RunStep
 {
-    const char* what_fails;  ///< in the words of a user: "no map"
+    const char* what_fails = nullptr;  ///< in the words of a user: "no map"
     const char* stage = nullptr;  ///< that its time counts for; nullptr: none
 };
 

@@ -16,7 +16,7 @@ namespace fild
 struct ImageConsumer
 {
     RunStep step;
-    std::set<FrameId> wanted;
+    std::set<FrameId> wanted{};
     std::function<void(const Frame&)> take;
 };
 
