@@ -2,10 +2,10 @@
 // Time of the network of default.ini an image, blob in memory to feature maps in memory, on OpenCV
 // and on oneDNN. For median and p95 give
 //   network_bench --benchmark_repetitions=20 --benchmark_report_aggregates_only=true
+#include "benchmark_run.h"
 #include "fild/features/model_file.h"
 #include "onednn_network.h"
 #include "opencv_network.h"
-#include "percentile.h"
 
 #include <benchmark/benchmark.h>
 #include <opencv2/core.hpp>
@@ -109,13 +109,6 @@ BENCHMARK_CAPTURE(start, onednn, Backend::onednn)->Apply(configure);
 
 int main(int argc, char** argv)
 {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    benchmark::AddCustomContext("compiler", __VERSION__);
-    benchmark::AddCustomContext("build type", FILD_BUILD_TYPE);
-    benchmark::AddCustomContext("commit at configure time", FILD_COMMIT);
-    for (const auto& [key, value] : options_of(Backend::onednn, Precision::f32).values())
-        benchmark::AddCustomContext("global_descriptor." + key, value);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    const auto options = options_of(Backend::onednn, Precision::f32);
+    return fild::benchmarks::run(argc, argv, "global_descriptor", options);
 }

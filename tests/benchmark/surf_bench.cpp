@@ -3,10 +3,11 @@
 // line runs the portable code and what this processor has beside it in turn; the time of the line
 // is that of the fastest, and the counters are medians: milliseconds of each, and how many times as
 // fast as the portable code the fastest is ("ratio").
+#include "benchmark_run.h"
+#include "fild/core/upper_median.h"
 #include "fild/features/surf.h"
 #include "hessian_maxima.h"
 #include "integral_image.h"
-#include "percentile.h"
 #include "surf_kernels.h"
 #include "surf_pipeline.h"
 
@@ -23,13 +24,6 @@ namespace
 {
 using fild::HessianLayer;
 using fild::SurfKernels;
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /** What the steps read. */
 struct Input
@@ -111,8 +105,9 @@ void compare(benchmark::State& state, const std::string& name, const Step& step)
             if (k + 1 == all_kernels.size()) state.SetIterationTime(seconds[k].back());
         }
     for (std::size_t k = 0; k < all_kernels.size(); ++k)
-        state.counters[all_kernels[k].processor] = 1e3 * median(seconds[k]);
-    state.counters["ratio"] = median(seconds.front()) / median(seconds.back());
+        state.counters[all_kernels[k].processor] = 1e3 * fild::upper_median(seconds[k]);
+    state.counters["ratio"] =
+        fild::upper_median(seconds.front()) / fild::upper_median(seconds.back());
     state.SetLabel(name + " " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
                    ", " + std::to_string(input.keypoints.size()) + " keypoints");
 }
@@ -143,16 +138,8 @@ void register_image(const std::string& short_name, const std::string& file)
 
 int main(int argc, char** argv)
 {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    benchmark::AddCustomContext("compiler", __VERSION__);
-    benchmark::AddCustomContext("build type", FILD_BUILD_TYPE);
-    benchmark::AddCustomContext("commit at configure time", FILD_COMMIT);
-    for (const auto& [key, value] : fild::TLocalFeatureOptions().values())
-        benchmark::AddCustomContext("local_features." + key, value);
     register_image("malaga", "pairs/malaga6l_a.jpg");
     register_image("new_college", "pairs/newcollege_a.png");
     register_image("kitti03", "kitti03/images/000000.jpg");
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    return fild::benchmarks::run(argc, argv, "local_features", fild::TLocalFeatureOptions());
 }

@@ -65,7 +65,7 @@ class NodeReader
         return found->second;
     }
 
-    /** A constant of so many real numbers. */
+    /** A constant of `count` real numbers. */
     const std::vector<float>& reals(std::size_t i, std::int64_t count) const
     {
         const auto& reals = constant(i).reals;

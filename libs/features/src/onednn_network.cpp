@@ -41,7 +41,7 @@ memory::dims to_dims(const MapShape& shape)
     return {1, shape.channels, shape.rows, shape.columns};
 }
 
-/** Memory for maps, used again when a map is no longer needed. */
+/** Memory for feature maps; reused once a map is no longer needed. */
 class MapMemory
 {
  public:

@@ -15,8 +15,8 @@ bool processor_has_bf16();
  *  only. It works in the thread that calls it and starts no others. Kinds of processors round
  *  differently.
  *  \param options  whose model_file is there.
- *  \throw std::runtime_error when the file is no network, it has no such layer, or one that is not
- *  supported, or takes more than 512 MB for maps at the size of the input. */
+ *  \throw std::runtime_error when the file is not a network, lacks a wanted layer, has an unsupported
+ *         one, or needs more than 512 MB for maps at the size of the input. */
 std::unique_ptr<Network> read_onednn_network(const TGlobalDescriptorOptions& options);
 
 }  // namespace fild

@@ -34,7 +34,7 @@ struct OnnxAttribute
 /** An operator. Value type. */
 struct OnnxNode
 {
-    std::string name;  ///< of its first output where the file has none
+    std::string name;  ///< that of its first output if the file gives none
     std::string kind;
     std::vector<std::string> inputs;  ///< an empty name: left out
     std::vector<std::string> outputs;

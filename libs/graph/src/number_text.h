@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-#include <charconv>
+#include "fild/core/number_text.h"
+
 #include <string>
 
 namespace fild
@@ -11,10 +11,8 @@ namespace fild
  */
 inline void append_number(std::string& line, double number)
 {
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
     if (!line.empty()) line += ' ';
-    line.append(text.data(), end.ptr);
+    line += shortest_decimal(number);
 }
 
 }  // namespace fild

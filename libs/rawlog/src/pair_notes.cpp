@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair_notes.h"
 
+#include "fild/core/number_text.h"
 #include "fild/core/words.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -19,10 +18,7 @@ constexpr const char* kWithoutPairs = "or set stereo_labels = none to use one ca
 /** To a thousandth, without zeros at the end. */
 std::string seconds_text(double seconds)
 {
-    std::array<char, 32> text{};
-    const double rounded = std::round(seconds * 1000) / 1000;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), rounded);
-    return {text.data(), end.ptr};
+    return shortest_decimal(std::round(seconds * 1000) / 1000);
 }
 
 std::string of_both(const StereoLabels& labels)

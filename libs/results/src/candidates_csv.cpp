@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/results/candidates_csv.h"
 
-#include "fild/core/words.h"
-#include "fild/results/csv_fields.h"
+#include "shared_columns.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -29,10 +28,7 @@ CsvColumn<CandidateRow> checked_column(const std::string& name, Text text, Parse
 
 void append_identity(Columns& columns)
 {
-    columns.push_back({"frame",
-                       [](const CandidateRow& row) { return std::to_string(to_index(row.frame)); },
-                       [](const CsvField& field, CandidateRow& row)
-                       { row.frame = FrameId{field.number<std::uint64_t>()}; }});
+    columns.push_back(frame_column<CandidateRow>([](auto& row) -> auto& { return row.frame; }));
     columns.push_back({"rank",
                        [](const CandidateRow& row) {
                            return row.considered.rank > 0 ? std::to_string(row.considered.rank)
@@ -48,17 +44,13 @@ void append_identity(Columns& columns)
                        }});
     columns.push_back({"similarity",
                        [](const CandidateRow& row)
-                       { return decimal(row.considered.candidate.similarity); },
+                       { return decimal6(row.considered.candidate.similarity); },
                        [](const CsvField& field, CandidateRow& row)
                        { row.considered.candidate.similarity = field.number<double>(); }});
     columns.push_back({"checked",
                        [](const CandidateRow& row) { return row.considered.checked ? "1" : "0"; },
                        [](const CsvField& field, CandidateRow& row)
-                       {
-                           if (field.text() != "0" && field.text() != "1")
-                               field.fail("'" + field.text() + "' is neither 0 nor 1");
-                           row.considered.checked = field.text() == "1";
-                       }});
+                       { row.considered.checked = parse_flag(field); }});
 }
 
 void append_verification(Columns& columns)
@@ -75,15 +67,10 @@ void append_verification(Columns& columns)
     columns.push_back(checked_column(
         "rejection",
         [](const Entry& entry) { return to_word(entry.rejection); },
-        [](const CsvField& field, Entry& entry)
-        {
-            const auto rejection = rejection_of(field.text());
-            if (!rejection) field.fail("'" + field.text() + "' is no reason to reject a pair");
-            entry.rejection = *rejection;
-        }));
+        [](const CsvField& field, Entry& entry) { entry.rejection = parse_rejection(field); }));
     columns.push_back(checked_column(
         "support",
-        [](const Entry& entry) { return decimal(entry.support); },
+        [](const Entry& entry) { return decimal6(entry.support); },
         [](const CsvField& field, Entry& entry) { entry.support = field.number<double>(); }));
 }
 
@@ -94,7 +81,7 @@ void append_evidence(Columns& columns)
                            [k](const CandidateRow& row)
                            {
                                const auto& entry = row.considered;
-                               return entry.odds ? decimal(entry.evidence.at(k)) : "";
+                               return entry.odds ? decimal6(entry.evidence.at(k)) : "";
                            },
                            [k](const CsvField& field, CandidateRow& row)
                            { row.considered.evidence.at(k) = field.number_or_zero<double>(); },
@@ -107,7 +94,7 @@ void append_evidence(Columns& columns)
                            [member = member](const CandidateRow& row)
                            {
                                const auto& known = row.considered.odds;
-                               return known ? decimal((*known).*member) : "";
+                               return known ? decimal6((*known).*member) : "";
                            },
                            [member = member](const CsvField& field, CandidateRow& row)
                            {
@@ -121,10 +108,7 @@ void append_evidence(Columns& columns)
 
 void check(const CandidateRow& row, std::size_t frames, const CsvReader& reader)
 {
-    const auto frame = to_index(row.frame);
-    if (frame >= frames)
-        reader.fail("frame " + std::to_string(frame) + ", the run has " +
-                    count_of(frames, "frame") + " from 0");
+    require_frame(row.frame, frames, reader);
     const auto& entry = row.considered;
     if (entry.candidate.frame >= row.frame) reader.fail("the candidate is not an earlier frame");
     if (entry.rank == 0 && !entry.checked)

@@ -2,9 +2,7 @@
 #include "fild/results/costs_csv.h"
 
 #include "fild/core/spread.h"
-#include "fild/results/csv_fields.h"
-
-#include <cstdint>
+#include "shared_columns.h"
 
 namespace fild
 {
@@ -21,10 +19,7 @@ std::size_t count_rows(const std::string& path)
 CsvColumns<CostRow> costs_csv_columns()
 {
     CsvColumns<CostRow> columns;
-    columns.push_back({"frame",
-                       [](const CostRow& row) { return std::to_string(to_index(row.frame)); },
-                       [](const CsvField& field, CostRow& row)
-                       { row.frame = FrameId{field.number<std::uint64_t>()}; }});
+    columns.push_back(frame_column<CostRow>([](auto& row) -> auto& { return row.frame; }));
     for (std::size_t i = 0; i < kFrameStages.size(); ++i)
         columns.push_back({std::string(kFrameStages.at(i)) + "_ms",
                            [i](const CostRow& row) { return decimal(row.stage_ms.at(i), 3); },

@@ -2,8 +2,6 @@
 #include "fild/results/csv_fields.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <istream>
 
 namespace fild
@@ -14,21 +12,6 @@ std::string csv_field(const std::string& text)
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
-}
-
-std::string decimal(double number, int decimals)
-{
-    std::array<char, 400> text{};  // the largest double has 309 digits before the point
-    const auto end = std::to_chars(
-        text.data(), text.data() + text.size(), number, std::chars_format::fixed, decimals);
-    return {text.data(), end.ptr};
-}
-
-std::string shortest_decimal(double number)
-{
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number);
-    return {text.data(), end.ptr};
 }
 
 std::size_t read_csv_record(std::istream& file, std::string& record)

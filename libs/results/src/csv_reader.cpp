@@ -12,14 +12,15 @@
 
 namespace fild
 {
-CsvField::CsvField(std::string text, std::string column, std::string origin)
-    : text_(std::move(text)), column_(std::move(column)), origin_(std::move(origin))
+const std::string& CsvField::text() const
 {
+    return reader_.fields_.at(position_);
 }
 
 void CsvField::fail(const std::string& what) const
 {
-    throw std::runtime_error(origin_ + ", " + column_ + ": " + what);
+    throw std::runtime_error(reader_.origin() + ", " + reader_.columns_.at(position_) + ": " +
+                             what);
 }
 
 CsvReader::CsvReader(std::string path) : path_(std::move(path)), file_(path_)
@@ -49,11 +50,6 @@ bool CsvReader::next()
     if (fields_.size() != columns_.size())
         fail(count_of(fields_.size(), "column") + " instead of " + std::to_string(columns_.size()));
     return true;
-}
-
-CsvField CsvReader::field(std::size_t position) const
-{
-    return {fields_.at(position), columns_.at(position), origin()};
 }
 
 void CsvReader::fail(const std::string& what) const

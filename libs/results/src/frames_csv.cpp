@@ -2,6 +2,7 @@
 #include "fild/results/frames_csv.h"
 
 #include "fild/results/csv_fields.h"
+#include "shared_columns.h"
 
 #include <cstdint>
 #include <stdexcept>
@@ -43,7 +44,7 @@ Column similarity_column()
             [](const FrameRow& row)
             {
                 const auto& candidate = row.verdict.candidate;
-                return candidate ? decimal(candidate->similarity) : "";
+                return candidate ? decimal6(candidate->similarity) : "";
             },
             [](const CsvField& field, FrameRow& row)
             {
@@ -58,11 +59,7 @@ Column rejection_column()
     return {"rejection",
             [](const FrameRow& row) { return to_word(row.verdict.rejection); },
             [](const CsvField& field, FrameRow& row)
-            {
-                const auto rejection = rejection_of(field.text());
-                if (!rejection) field.fail("'" + field.text() + "' is no reason to reject a frame");
-                row.verdict.rejection = *rejection;
-            }};
+            { row.verdict.rejection = parse_rejection(field); }};
 }
 
 /** Follows from the rejection, which check() compares it with. */
@@ -70,11 +67,7 @@ Column accepted_column()
 {
     return {"accepted",
             [](const FrameRow& row) { return row.verdict.accepted() ? "1" : "0"; },
-            [](const CsvField& field, FrameRow&)
-            {
-                if (field.text() != "0" && field.text() != "1")
-                    field.fail("'" + field.text() + "' is neither 0 nor 1");
-            }};
+            [](const CsvField& field, FrameRow&) { parse_flag(field); }};
 }
 
 void check(const FrameVerdict& verdict, std::size_t expected, const CsvReader& reader)
@@ -94,12 +87,9 @@ void check(const FrameVerdict& verdict, std::size_t expected, const CsvReader& r
 CsvColumns<FrameRow> frames_csv_columns()
 {
     return {
-        {"frame",
-         [](const FrameRow& row) { return std::to_string(to_index(row.verdict.frame)); },
-         [](const CsvField& field, FrameRow& row)
-         { row.verdict.frame = FrameId{field.number<std::uint64_t>()}; }},
+        frame_column<FrameRow>([](auto& row) -> auto& { return row.verdict.frame; }),
         {"timestamp",
-         [](const FrameRow& row) { return decimal(row.verdict.timestamp); },
+         [](const FrameRow& row) { return decimal6(row.verdict.timestamp); },
          [](const CsvField& field, FrameRow& row)
          { row.verdict.timestamp = field.number<double>(); }},
         {"sensor_label",
@@ -113,7 +103,7 @@ CsvColumns<FrameRow> frames_csv_columns()
         accepted_column(),
         rejection_column(),
         {"support",
-         [](const FrameRow& row) { return decimal(row.verdict.support); },
+         [](const FrameRow& row) { return decimal6(row.verdict.support); },
          [](const CsvField& field, FrameRow& row)
          { row.verdict.support = field.number<double>(); }},
         {"depth_source",

@@ -2,7 +2,7 @@
 #include "fild/results/loops_csv.h"
 
 #include "fild/core/angle.h"
-#include "fild/results/csv_fields.h"
+#include "shared_columns.h"
 
 #include <utility>
 
@@ -22,7 +22,7 @@ void append_three(CsvColumns<LoopRow>& columns,
     for (std::size_t i = 0; i < names.size(); ++i)
         columns.push_back({names.at(i),
                            [=](const LoopRow& row)
-                           { return row.*part ? decimal((*(row.*part)).at(i) / unit) : ""; },
+                           { return row.*part ? decimal6((*(row.*part)).at(i) / unit) : ""; },
                            [=](const CsvField& field, LoopRow& row)
                            {
                                auto& three = row.*part;
@@ -49,7 +49,7 @@ CsvColumns<LoopRow> loops_csv_columns()
                  &LoopRow::angle_deviations,
                  kRadiansPerDegree);
     columns.push_back({"weight",
-                       [](const LoopRow& row) { return row.weight ? decimal(*row.weight) : ""; },
+                       [](const LoopRow& row) { return row.weight ? decimal6(*row.weight) : ""; },
                        [](const CsvField& field, LoopRow& row)
                        {
                            if (!field.empty()) row.weight = field.number<double>();

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fild/results/poses_csv.h"
 
-#include "fild/core/words.h"
-#include "fild/results/csv_fields.h"
+#include "shared_columns.h"
 
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 namespace fild
@@ -37,10 +35,7 @@ void normalise_quaternion(PoseNumbers& pose, const std::string& name, const CsvR
 CsvColumns<PoseRow> poses_csv_columns()
 {
     CsvColumns<PoseRow> columns;
-    columns.push_back({"frame",
-                       [](const PoseRow& row) { return std::to_string(to_index(row.frame)); },
-                       [](const CsvField& field, PoseRow& row)
-                       { row.frame = FrameId{field.number<std::uint64_t>()}; }});
+    columns.push_back(frame_column<PoseRow>([](auto& row) -> auto& { return row.frame; }));
     append_pose(columns, "input", &PoseRow::input);
     append_pose(columns, "optimized", &PoseRow::optimized);
     return columns;
@@ -51,13 +46,10 @@ std::vector<std::optional<PoseRow>> read_poses_csv(const std::string& path, std:
     std::vector<std::optional<PoseRow>> poses(frames);
     const auto take = [&](PoseRow row, const CsvReader& reader)
     {
-        const auto frame = to_index(row.frame);
-        if (frame >= frames)
-            reader.fail("frame " + std::to_string(frame) + ", the run has " +
-                        count_of(frames, "frame") + " from 0");
+        require_frame(row.frame, frames, reader);
         normalise_quaternion(row.input, "input", reader);
         normalise_quaternion(row.optimized, "optimized", reader);
-        poses[frame] = row;
+        poses[to_index(row.frame)] = row;
     };
     read_csv(path, poses_csv_columns(), take);
     return poses;

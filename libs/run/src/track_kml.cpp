@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "track_kml.h"
 
+#include "fild/core/number_text.h"
 #include "fild/core/whole_file.h"
 
-#include <array>
-#include <charconv>
 #include <map>
 #include <vector>
 
@@ -22,10 +21,7 @@ struct Style
 std::string degrees(double value)
 {
     constexpr int kDigits = 9;  // 0.1 mm
-    std::array<char, 32> text{};
-    const auto end = std::to_chars(
-        text.data(), text.data() + text.size(), value, std::chars_format::fixed, kDigits);
-    return {text.data(), end.ptr};
+    return decimal(value, kDigits);
 }
 
 std::string line_through(const std::vector<mrpt::poses::CPose3D>& poses, const EastNorthUp& plane)

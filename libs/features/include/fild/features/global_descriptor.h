@@ -31,10 +31,10 @@ class GlobalDescriptorExtractor
 {
  public:
     /** Loads the network and runs it once on a black image, so that a wrong model fails here.
-     *  \throw std::runtime_error when the model file is missing (naming the command that gets it)
-     * or is no model, has no such layer, or gives a descriptor not of options.dimension; with
-     * Backend::onednn also when it has a layer of a kind that is not supported, or the processor no
-     * bf16 that is asked for. */
+     *  \throw std::runtime_error when the model file is missing (naming the command that gets it) or
+     *         not a model, when it lacks a wanted layer, or when its descriptor has another length
+     *         than options.dimension; with Backend::onednn also when it has a layer of an unsupported
+     *         kind, or when bf16 is asked for and the processor does not have it. */
     explicit GlobalDescriptorExtractor(const TGlobalDescriptorOptions& options);
     ~GlobalDescriptorExtractor();
     GlobalDescriptorExtractor(GlobalDescriptorExtractor&&) noexcept;

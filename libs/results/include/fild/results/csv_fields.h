@@ -11,12 +11,6 @@ namespace fild
 /** The text as one field of a CSV file, in quotes where RFC 4180 wants them. */
 std::string csv_field(const std::string& text);
 
-/** The number in fixed notation, whatever the program's locale is. */
-std::string decimal(double number, int decimals = 6);
-
-/** The shortest text that reads back as the number. */
-std::string shortest_decimal(double number);
-
 /** Reads one record of a CSV file (RFC 4180): a line, and the lines after it while a quoted field
  *  is open.
  *  \param record  receives it, without its last line end.

@@ -11,22 +11,25 @@
 
 namespace fild
 {
-/** A field of a CSV file that knows where it stands, for errors. */
+class CsvReader;
+
+/** A field of the record that a reader is at; it knows where it stands, for errors. */
 class CsvField
 {
  public:
-    /** \param origin  "frames.csv line 3". */
-    CsvField(std::string text, std::string column, std::string origin);
+    CsvField(const CsvReader& reader, std::size_t position) : reader_(reader), position_(position)
+    {
+    }
 
-    const std::string& text() const { return text_; }
-    bool empty() const { return text_.empty(); }
+    const std::string& text() const;
+    bool empty() const { return text().empty(); }
 
     /** \throw std::runtime_error naming file, line and column. */
     template <class Number>
     Number number() const
     {
-        const auto value = parse_number<Number>(text_);
-        if (!value) fail("'" + text_ + "' is not a number");
+        const auto value = parse_number<Number>(text());
+        if (!value) fail("'" + text() + "' is not a number");
         return *value;
     }
 
@@ -41,9 +44,8 @@ class CsvField
     [[noreturn]] void fail(const std::string& what) const;
 
  private:
-    std::string text_;
-    std::string column_;
-    std::string origin_;
+    const CsvReader& reader_;
+    std::size_t position_;
 };
 
 /** Reads a CSV file (RFC 4180) record by record; its first line names the columns. Not thread-safe:
@@ -61,15 +63,15 @@ class CsvReader
      *  \throw std::runtime_error naming file and line when it has another number of fields. */
     bool next();
 
-    /** Of the record that next() moved to. */
-    CsvField field(std::size_t position) const;
+    /** Of the record that next() moved to, until the next call of it. */
+    CsvField field(std::size_t position) const { return {*this, position}; }
 
     /** \throw std::runtime_error naming the file and the line of the record. */
     [[noreturn]] void fail(const std::string& what) const;
 
-    const std::string& path() const { return path_; }
-
  private:
+    friend class CsvField;
+
     std::string origin() const;
 
     std::string path_;
